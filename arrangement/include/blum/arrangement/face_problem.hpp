@@ -1,0 +1,25 @@
+/// The problem an arrangement engine solves: the medial diagram on an axis-parallel rectangle.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "blum/kernel/point.hpp"
+#include "blum/kernel/site.hpp"
+#include "blum/kernel/solid.hpp"
+
+namespace blum {
+
+/// The part of the medial diagram that lies on `rect`, inside the solid O.
+///
+/// Candidates: a superset of the governors of every point of rect ∩ O. Triangles: a superset of
+/// the boundary triangles that meet `rect`. Both sorted, without repetition.
+struct FaceProblem {
+  const Solid* solid = nullptr;
+  Rect rect;
+  std::span<const SiteId> candidates;
+  std::span<const std::uint32_t> triangles;
+};
+
+}  // namespace blum

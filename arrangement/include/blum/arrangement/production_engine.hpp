@@ -1,0 +1,60 @@
+/// The production engine: diagrams on segments and rectangles by certified subdivision.
+///
+/// Method. A segment or rectangle is bisected until every part passes an interval version of
+/// Theorem D (theory section 3): its candidates split into groups whose members never tie
+/// essentially, and each group has a direction along which it only gains on all others. Then the
+/// topology of the part is that of a star, read from its border; borders of rectangles are
+/// segments, ends of segments are points, and at points the governor is decided exactly
+/// (Predicates). No algebraic number is ever represented. A rim inside the solid, where no such
+/// direction exists, is recognised by exact tests: the part is then a cone about a rational point.
+///
+/// General position is required and checked; see FaceStatus.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "blum/arrangement/diagram_engine.hpp"
+#include "blum/kernel/inside.hpp"
+#include "blum/kernel/predicates.hpp"
+
+namespace blum {
+
+/// Counts of the work done, for benchmarks and tests.
+struct EngineCounts {
+  std::uint64_t segments = 0, faces = 0, boxes = 0, clusters = 0, rims = 0;
+};
+
+/// Not thread-safe: one object a thread. Answers do not depend on what was asked before.
+class ProductionEngine final : public DiagramEngine {
+ public:
+  ProductionEngine(const SiteGeometry& geometry, const InsideOracle& inside, std::uint64_t seed);
+  ~ProductionEngine() override;
+  ProductionEngine(ProductionEngine&&) noexcept;
+
+  using DiagramEngine::face;
+  [[nodiscard]] SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
+                                      std::span<const std::uint32_t> triangles) override;
+  [[nodiscard]] FaceDiagram face(
+      const FaceProblem& problem,
+      const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
+
+  /// Sites of `candidates` that may govern a point inside the solid in [lo, hi] (closed box).
+  [[nodiscard]] std::vector<SiteId> prune(std::span<const SiteId> candidates, const Point3& lo,
+                                          const Point3& hi) const;
+
+  /// Candidates that may govern a point inside the solid in [lo, hi], in groups whose members never
+  /// tie essentially; empty where some group is not such a clique.
+  [[nodiscard]] std::vector<std::vector<SiteId>> tie_groups(std::span<const SiteId> candidates,
+                                                            const Point3& lo, const Point3& hi);
+
+  [[nodiscard]] Predicates& predicates();
+  [[nodiscard]] const EngineCounts& counts() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace blum

@@ -1,0 +1,750 @@
+#include "face_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "blum/kernel/check.hpp"
+
+namespace blum {
+namespace {
+
+constexpr int kMaxDepth = 90;
+constexpr int kSplitAttempts = 8;
+constexpr std::size_t kMaxGroups = 24;  // more: bisecting is cheaper than testing all pairs
+
+/// A direction w (in the plane) with g . w < 0 for all given vectors, if they span less than pi.
+std::optional<std::array<double, 2>> opposite(std::span<const std::array<double, 2>> g) {
+  const auto& first = g.front();
+  double lo = 0, hi = 0;
+  for (const auto& x : g) {
+    const double angle = std::atan2(first[0] * x[1] - first[1] * x[0],
+                                    first[0] * x[0] + first[1] * x[1]);
+    lo = std::min(lo, angle);
+    hi = std::max(hi, angle);
+  }
+  if (!(hi - lo < 3.1415)) return std::nullopt;
+  const double turn = 0.5 * (lo + hi), c = std::cos(turn), s = std::sin(turn);
+  const double length = std::hypot(first[0], first[1]);
+  if (!(length > 0)) return std::nullopt;
+  return std::array{-(c * first[0] - s * first[1]) / length,
+                    -(s * first[0] + c * first[1]) / length};
+}
+
+}  // namespace
+
+Range FaceEngine::range_of(const Box& box) const {
+  const Rect& r = problem_.rect;
+  return Range::of(point_on(r.axis, r.level, box.u0, box.v0),
+                   point_on(r.axis, r.level, box.u1, box.v1));
+}
+
+FaceEngine::Line FaceEngine::make_line(const SegmentDiagram& diagram) {
+  Line line;
+  line.segment = diagram.segment;
+  for (const Breakpoint& b : diagram.breakpoint) line.brk.push_back({b, 0});
+  for (const auto& i : diagram.interval) {
+    const auto e = region_.add();
+    component_.add();
+    element_label_.emplace_back();
+    line.piece.push_back({i.inside, i.witness, e});
+  }
+  return line;
+}
+
+std::uint32_t FaceEngine::new_node(FaceNode::Kind kind, const Box& box) {
+  Node n;
+  n.node.kind = kind;
+  n.node.u0 = box.u0;
+  n.node.u1 = box.u1;
+  n.node.v0 = box.v0;
+  n.node.v1 = box.v1;
+  nodes_.push_back(std::move(n));
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+std::uint32_t FaceEngine::convex_node(std::uint32_t edge) {
+  const auto [it, fresh] = convex_node_.try_emplace(edge, 0u);
+  if (fresh) {
+    for (const TracePoint& p : trace_point_)
+      if (p.edge == edge)
+        it->second = new_node(FaceNode::Kind::kConvexEdge,
+                              Box{p.u.low(), p.u.high(), p.v.low(), p.v.high(), {}, {}, {}, 0});
+    FaceNode& n = nodes_[it->second].node;
+    n.boundary_edge = edge;
+    for (const auto t : context_.geometry.solid().edge[edge].triangle)
+      n.governors.push_back(context_.geometry.index().face(t));
+    std::sort(n.governors.begin(), n.governors.end());
+  }
+  return it->second;
+}
+
+void FaceEngine::add_arc(std::uint32_t from, std::uint32_t to, SiteId left, SiteId right,
+                         std::array<std::uint32_t, 2> beside) {
+  const auto id = static_cast<std::uint32_t>(arcs_.size());
+  arcs_.push_back({from, to, left, right, beside});
+  nodes_[from].arc.push_back(id);
+  nodes_[to].arc.push_back(id);
+}
+
+void FaceEngine::label_element(std::uint32_t element, std::span<const SiteId> labels) {
+  auto& l = element_label_[element];
+  l.insert(l.end(), labels.begin(), labels.end());
+}
+
+void FaceEngine::find_traces(Box& root) {
+  const Solid& solid = context_.geometry.solid();
+  const Rect& r = problem_.rect;
+  std::map<std::uint32_t, std::uint32_t> point_of_edge;
+  for (const auto t : problem_.triangles) {
+    const auto& tri = solid.triangle[t];
+    std::array<std::uint32_t, 2> ends{};
+    int n = 0;
+    for (const auto e : tri.edge) {
+      const Point3 &a = solid.point[solid.edge[e].vertex[0]],
+                   &b = solid.point[solid.edge[e].vertex[1]];
+      if ((a[r.axis] < r.level) == (b[r.axis] < r.level)) continue;
+      const auto [it, fresh] =
+          point_of_edge.try_emplace(e, static_cast<std::uint32_t>(trace_point_.size()));
+      if (fresh) {
+        const Ball s = divide(Ball(r.level) - Ball(a[r.axis]), Ball(b[r.axis]) - Ball(a[r.axis]));
+        const auto coordinate = [&](int k) { return Ball(a[k]) + s * (Ball(b[k]) - Ball(a[k])); };
+        trace_point_.push_back({e, coordinate(u_), coordinate(v_)});
+      }
+      ends[n++] = it->second;
+    }
+    if (n == 0) continue;
+    BLUM_CHECK(n == 2);
+    trace_[t] = ends;
+    root.triangles.push_back(t);
+  }
+}
+
+bool FaceEngine::in_box(const TracePoint& p, const Box& box) {
+  const Rect& r = problem_.rect;
+  const auto side = [&](int axis, const Ball& approx, double value) {
+    const int quick = (approx - Ball(value)).sign();
+    return quick != 2 ? quick
+                      : context_.predicates.compare_edge_crossing(p.edge, r.axis, r.level, axis,
+                                                                  value);
+  };
+  return side(u_, p.u, box.u0) > 0 && side(u_, p.u, box.u1) < 0 && side(v_, p.v, box.v0) > 0 &&
+         side(v_, p.v, box.v1) < 0;
+}
+
+FaceEngine::Border FaceEngine::border_of(const Box& box) {
+  // The border as a cyclic sequence, counter-clockwise in (u, v).
+  struct Item {
+    bool interval = false;
+    const Piece1* piece = nullptr;
+    const Break* brk = nullptr;
+  };
+  std::vector<Item> item;
+  for (const int s : {kLowV, kHighU, kHighV, kLowU}) {
+    const Line& line = box.side[s];
+    const bool forward = s == kLowV || s == kHighU;
+    const auto n = line.piece.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = forward ? k : n - 1 - k;
+      if (k > 0) item.push_back({false, nullptr, &line.brk[forward ? i - 1 : i]});
+      item.push_back({true, &line.piece[i], nullptr});
+    }
+  }
+  const std::size_t n = item.size();
+
+  // Where each triangle's trace leaves the box, and which of its ends lie inside.
+  std::map<std::uint32_t, std::vector<std::size_t>> crossing_of;
+  for (std::size_t i = 0; i < n; ++i)
+    if (!item[i].interval && item[i].brk->point.kind == Breakpoint::Kind::kBoundary)
+      crossing_of[item[i].brk->point.triangle].push_back(i);
+  std::map<std::uint32_t, std::array<std::uint32_t, 2>> triangle_of_point;  // both sides of a point
+  std::map<std::uint32_t, bool> used;
+  const Solid& solid = context_.geometry.solid();
+  std::map<std::uint32_t, bool> inside_point;
+  const auto is_inside = [&](std::uint32_t p) {
+    const auto [it, fresh] = inside_point.try_emplace(p, false);
+    if (fresh) it->second = in_box(trace_point_[p], box);
+    return it->second;
+  };
+  constexpr auto kNone = Breakpoint::kNone;
+  std::map<std::uint32_t, bool> visited;
+  // Follows ∂O from a crossing through the box; appends its triangles and convex edges.
+  const auto follow = [&](std::size_t start, Circle& circle) -> std::size_t {
+    std::uint32_t t = item[start].brk->point.triangle, came_from = kNone;
+    for (;;) {
+      visited[t] = true;
+      circle.push_back({Step::Kind::kTrace, t, context_.geometry.index().face(t)});
+      std::uint32_t next = kNone;
+      for (const auto p : trace_.at(t))
+        if (p != came_from && is_inside(p)) next = p;
+      if (next == kNone) {
+        const auto& c = crossing_of.at(t);
+        for (const auto i : c)
+          if (i != start) return i;
+        broken_invariant("trace enters a box and does not leave it", __FILE__, __LINE__);
+      }
+      const auto e = trace_point_[next].edge;
+      if (solid.edge[e].kind == EdgeKind::kConvex)
+        circle.push_back({Step::Kind::kConvexEdge, e, {}});
+      t = solid.edge[e].triangle[0] == t ? solid.edge[e].triangle[1] : solid.edge[e].triangle[0];
+      came_from = next;
+    }
+  };
+
+  Border border;
+  std::vector<bool> done(n, false);
+  for (std::size_t first = 0; first < n; ++first) {
+    if (done[first] || !item[first].interval || !item[first].piece->inside) continue;
+    Circle circle;
+    std::size_t i = first;
+    do {
+      if (item[i].interval) {
+        BLUM_CHECK(item[i].piece->inside && !done[i]);
+        done[i] = true;
+        circle.push_back({Step::Kind::kInterval, item[i].piece->element, item[i].piece->witness});
+      } else if (item[i].brk->point.kind == Breakpoint::Kind::kTie) {
+        circle.push_back({Step::Kind::kTie, item[i].brk->id, {}});
+      } else {
+        i = follow(i, circle);
+      }
+      i = (i + 1) % n;
+    } while (i != first);
+    border.circle.push_back(std::move(circle));
+  }
+  for (const auto t : box.triangles) {
+    if (visited[t]) continue;
+    // A trace whose crossings were not walked: a closed loop, or a triangle outside this box.
+    std::uint32_t x = t, came_from = kNone;
+    bool loop = false;
+    for (;;) {
+      visited[x] = true;
+      std::uint32_t next = kNone;
+      for (const auto p : trace_.at(x))
+        if (p != came_from && is_inside(p)) next = p;
+      if (next == kNone) break;
+      const auto e = trace_point_[next].edge;
+      x = solid.edge[e].triangle[0] == x ? solid.edge[e].triangle[1] : solid.edge[e].triangle[0];
+      came_from = next;
+      if (x == t) {
+        loop = true;
+        break;
+      }
+    }
+    if (loop) border.loop.push_back(t);
+  }
+  return border;
+}
+
+bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
+                                  const Range& range) {
+  struct Pair {
+    std::uint32_t i, j;
+    PairSlope slope;
+  };
+  std::vector<std::vector<Pair>> of_group(groups.count);
+  for (std::uint32_t i = 0; i < forms.size(); ++i)
+    for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
+      if (groups.of[i] == groups.of[j] || !may_tie(context_, forms[i], forms[j], range)) continue;
+      of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j])});
+      of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i])});
+    }
+  std::vector<std::array<double, 2>> vectors;
+  for (const auto& pairs : of_group) {
+    if (pairs.empty()) continue;
+    vectors.clear();
+    for (const Pair& p : pairs)
+      vectors.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+    const auto w2 = opposite(vectors);
+    if (!w2) return false;
+    std::array<double, 3> w{};
+    w[u_] = (*w2)[0];
+    w[v_] = (*w2)[1];
+    for (const Pair& p : pairs)
+      if (!(slope_upper(p.slope, forms[p.i], forms[p.j], range, w) < 0)) return false;
+  }
+  return true;
+}
+
+void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
+                        const Groups& groups, const Box& box, std::uint32_t count) {
+  // Rotate so that the walk starts just after a separator, if there is one.
+  const std::size_t n = circle.size();
+  std::size_t start = 0;
+  const auto separates = [&](const Step& s) {
+    return s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    if (separates(circle[i])) start = i;
+  struct End {
+    std::uint32_t node;
+    SiteId below, above;
+  };
+  std::vector<End> ends;
+  std::vector<std::uint32_t> runs;  // runs[k] follows ends[k]
+  std::vector<SiteId> labels;
+  std::uint32_t run = Breakpoint::kNone, whole = Breakpoint::kNone;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (separates(s)) {
+      run = Breakpoint::kNone;
+      const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
+      const auto& g = nodes_[node].node.governors;
+      ends.push_back({node, g.front(), g.back()});
+      continue;
+    }
+    std::uint32_t element;
+    if (s.kind == Step::Kind::kInterval) {
+      element = s.id;
+    } else {
+      const auto [it, fresh] = trace_element_.try_emplace(s.id, 0u);
+      if (fresh) {
+        it->second = region_.add();
+        component_.add();
+        element_label_.emplace_back();
+      }
+      element = it->second;
+    }
+    if (run == Breakpoint::kNone) {
+      run = element;
+      runs.push_back(element);
+      labels.clear();
+      const auto group = groups.find(forms, s.label);
+      for (std::size_t i = 0; i < forms.size(); ++i)
+        if (groups.of[i] == group) labels.push_back(forms[i].site);
+      label_element(element, labels);
+    }
+    region_.unite(run, element);
+    if (whole == Breakpoint::kNone) whole = element;
+    component_.unite(whole, element);
+  }
+  for (const End& e : ends) nodes_[e.node].element = whole;
+  if (count == 2) {
+    add_arc(ends[0].node, ends[1].node, ends[0].below, ends[0].above, {runs[0], runs[1]});
+  } else if (count >= 3) {
+    const auto center = new_node(FaceNode::Kind::kEvent, box);
+    nodes_[center].element = whole;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      add_arc(center, ends[k].node, ends[k].below, ends[k].above,
+              {runs[(k + count - 1) % count], runs[k]});
+    // Three groups: a tree with three ends has one branching point, a true event. More: a cluster.
+    FaceNode& node = nodes_[center].node;
+    node.exact = count == 3;
+    context_.counts.clusters += count > 3;
+    for (const End& e : ends) {
+      node.governors.push_back(e.below);
+      node.governors.push_back(e.above);
+    }
+    std::sort(node.governors.begin(), node.governors.end());
+    node.governors.erase(std::unique(node.governors.begin(), node.governors.end()),
+                         node.governors.end());
+  }
+}
+
+bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const Border& border) {
+  if (!border.loop.empty()) return false;
+  if (border.circle.empty()) return true;  // outside the solid
+  const Groups groups = Groups::make(context_, forms);
+  if (!groups.cliques || groups.count > kMaxGroups) return accept_rim(box, forms, border);
+
+  std::vector<std::uint32_t> separators;
+  std::vector<int> runs(groups.count);
+  for (const Circle& circle : border.circle) {
+    std::fill(runs.begin(), runs.end(), 0);
+    std::uint32_t separator_count = 0, run_count = 0;
+    const std::size_t n = circle.size();
+    // Group of each step; separators lie between different groups, equal groups are neighbours.
+    std::size_t start = n;
+    for (std::size_t i = 0; i < n && start == n; ++i)
+      if (circle[i].kind == Step::Kind::kTie || circle[i].kind == Step::Kind::kConvexEdge)
+        start = i;
+    std::uint32_t previous = groups.count;
+    bool fresh = true;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Step& s = circle[((start == n ? 0 : start) + k) % n];
+      if (s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge) {
+        ++separator_count;
+        fresh = true;
+        continue;
+      }
+      const auto g = groups.find(forms, s.label);
+      BLUM_CHECK(g < groups.count);
+      if (fresh) {
+        ++run_count;
+        if (++runs[g] > 1) return false;
+        fresh = false;
+      } else if (g != previous) {
+        return false;
+      }
+      previous = g;
+    }
+    if (separator_count > 0 && (separator_count != run_count || run_count < 2)) return false;
+    separators.push_back(separator_count);
+  }
+  if (groups.count > 1 && !directions_exist(forms, groups, range_of(box))) return false;
+  for (std::size_t c = 0; c < border.circle.size(); ++c)
+    record(border.circle[c], forms, groups, box, separators[c]);
+  return true;
+}
+
+bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms,
+                            const Border& border) {
+  // Needs a part wholly inside the solid, all candidates at one vertex, and the rim's point in it.
+  if (border.circle.size() != 1) return false;
+  for (const Step& s : border.circle[0])
+    if (s.kind == Step::Kind::kTrace) return false;
+  const SiteGeometry& geometry = context_.geometry;
+  const SiteIndex& index = geometry.index();
+  const Solid& solid = geometry.solid();
+  std::vector<SiteId> sites;
+  std::vector<std::uint32_t> edges;
+  for (const LocalForm& f : forms) {
+    sites.push_back(f.site);
+    if (f.kind == SiteKind::kEdge) edges.push_back(index.element(f.site));
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      std::uint32_t common = Breakpoint::kNone;
+      for (const auto p : solid.edge[edges[i]].vertex)
+        for (const auto q : solid.edge[edges[j]].vertex)
+          if (p == q) common = p;
+      if (common == Breakpoint::kNone ||
+          context_.never_essential(index.edge(edges[i]), index.edge(edges[j])))
+        continue;
+      Predicates& predicates = context_.predicates;
+      if (!predicates.rim_common(common, edges[i], edges[j], sites)) return false;
+      const auto side = [&](int along, double value) {
+        return predicates.compare_rim(common, edges[i], edges[j], problem_.rect.axis,
+                                      problem_.rect.level, along, value);
+      };
+      const auto a = side(u_, box.u0), b = side(u_, box.u1), c = side(v_, box.v0),
+                 d = side(v_, box.v1);
+      if (!a || !(*a > 0 && *b < 0 && *c > 0 && *d < 0)) return false;
+
+      // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
+      ++context_.counts.rims;
+      const Circle& circle = border.circle[0];
+      std::uint32_t whole = Breakpoint::kNone;
+      std::vector<std::uint32_t> ties, runs;
+      std::size_t start = 0;
+      for (std::size_t k = 0; k < circle.size(); ++k)
+        if (circle[k].kind == Step::Kind::kTie) start = k;
+      std::uint32_t run = Breakpoint::kNone;
+      for (std::size_t k = 0; k < circle.size(); ++k) {
+        const Step& s = circle[(start + k) % circle.size()];
+        if (s.kind == Step::Kind::kTie) {
+          ties.push_back(s.id);
+          run = Breakpoint::kNone;
+          continue;
+        }
+        if (run == Breakpoint::kNone) {
+          run = s.id;
+          runs.push_back(run);
+        }
+        region_.unite(run, s.id);
+        if (whole == Breakpoint::kNone) whole = s.id;
+        component_.unite(whole, s.id);
+        label_element(s.id, sites);  // any candidate may show in any sector
+      }
+      if (ties.empty()) return true;
+      const auto center = new_node(FaceNode::Kind::kRim, box);
+      nodes_[center].node.governors = sites;
+      nodes_[center].element = whole;
+      for (std::size_t k = 0; k < ties.size(); ++k) {
+        nodes_[ties[k]].element = whole;
+        const auto& g = nodes_[ties[k]].node.governors;
+        add_arc(center, ties[k], g.front(), g.back(),
+                {runs[(k + runs.size() - 1) % runs.size()], runs[k]});
+      }
+      return true;
+    }
+  return false;
+}
+
+Trouble FaceEngine::cut(const Line& line, double m, const Box& box, Line& low, Line& high,
+                        bool& inside, SiteId& label) {
+  const Segment& s = line.segment;
+  const Point3 x = point_on(s.axis, m, s.u, s.v);
+  low = Line{s, {}, {}};
+  high = Line{s, {}, {}};
+  low.segment.t1 = high.segment.t0 = m;
+  // Exact position among the crossings of ∂O, then among the ties of the stretch that holds m.
+  std::size_t first = 0;  // breakpoints below m
+  for (std::size_t k = 0; k < line.brk.size(); ++k) {
+    const Breakpoint& b = line.brk[k].point;
+    if (b.kind != Breakpoint::Kind::kBoundary) continue;
+    const int side = context_.predicates.plane_side(x, b.triangle);
+    if (side == 0) return {FaceStatus::kBadPosition, "split on the boundary"};
+    const bool enters = !line.piece[k].inside;  // going up, the solid begins here
+    if ((side < 0) == enters) first = k + 1;
+    else break;
+  }
+  std::size_t last = first;
+  while (last < line.brk.size() && line.brk[last].point.kind == Breakpoint::Kind::kTie) ++last;
+  inside = line.piece[first].inside;
+  if (inside) {
+    const auto governor = segments_.governor(x, box.candidates);
+    if (!governor) return {FaceStatus::kBadPosition, "split on an essential tie"};
+    label = *governor;
+  }
+  std::size_t at = first;
+  std::optional<Break> shrunk_low, shrunk_high;
+  for (; at < last; ++at) {
+    const Breakpoint& b = line.brk[at].point;
+    const bool above_lo = b.lo_triangle != Breakpoint::kNone || m > b.lo;
+    const bool below_hi = b.hi_triangle != Breakpoint::kNone || m < b.hi;
+    if (!above_lo) break;
+    if (!below_hi) continue;
+    std::vector<Breakpoint> found;
+    const StretchEnd a{b.lo, b.lo_triangle, b.below};
+    const StretchEnd middle{m, Breakpoint::kNone, label};
+    if (const Trouble t = segments_.isolate(s, a, middle, box.candidates, found)) return t;
+    BLUM_CHECK(found.size() <= 1);
+    if (found.empty()) {
+      shrunk_high = line.brk[at];
+      shrunk_high->point.lo = m;
+      shrunk_high->point.lo_triangle = Breakpoint::kNone;
+      shrunk_high->point.below = label;
+      break;
+    }
+    shrunk_low = Break{found[0], line.brk[at].id};
+    ++at;
+    break;
+  }
+  // Breakpoints [0, at) lie below m.
+  low.brk.assign(line.brk.begin(), line.brk.begin() + static_cast<std::ptrdiff_t>(at));
+  high.brk.assign(line.brk.begin() + static_cast<std::ptrdiff_t>(at), line.brk.end());
+  low.piece.assign(line.piece.begin(), line.piece.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  high.piece.assign(line.piece.begin() + static_cast<std::ptrdiff_t>(at), line.piece.end());
+  if (shrunk_low) low.brk.back() = *shrunk_low;
+  if (shrunk_high) high.brk.front() = *shrunk_high;
+  if (inside) {
+    low.piece.back().witness = label;
+    high.piece.front().witness = label;
+  }
+  return {};
+}
+
+Trouble FaceEngine::split(Box& box, Box& low, Box& high) {
+  const Rect& r = problem_.rect;
+  const bool along_u = box.u1 - box.u0 >= box.v1 - box.v0;
+  const double lo = along_u ? box.u0 : box.v0, hi = along_u ? box.u1 : box.v1;
+  // The two sides that the new line meets, lower one first.
+  const int s0 = along_u ? kLowV : kLowU, s1 = along_u ? kHighV : kHighU;
+  Trouble trouble;
+  for (int attempt = 0; attempt < kSplitAttempts; ++attempt) {
+    const double m = context_.split(lo, hi, 1000 + attempt);
+    if (!(m > lo && m < hi)) return {FaceStatus::kUndecided, "face: resolution spent"};
+    Segment segment;
+    if (along_u)
+      segment = {v_, r.level, m, box.v0, box.v1};
+    else
+      segment = {u_, m, r.level, box.u0, box.u1};
+    Line low0, high0, low1, high1;
+    bool inside0 = false, inside1 = false;
+    SiteId label0{}, label1{};
+    if ((trouble = cut(box.side[s0], m, box, low0, high0, inside0, label0))) continue;
+    if ((trouble = cut(box.side[s1], m, box, low1, high1, inside1, label1))) continue;
+    SegmentDiagram diagram;
+    if ((trouble = segments_.solve(segment, box.candidates, box.triangles, diagram))) continue;
+
+    Line line = make_line(diagram);
+    for (Break& b : line.brk) {
+      if (b.point.kind == Breakpoint::Kind::kBoundary) {
+        b.id = crossings_++;
+        continue;
+      }
+      Box where{box.u0, box.u1, box.v0, box.v1, {}, {}, {}, 0};
+      (along_u ? where.u0 : where.v0) = (along_u ? where.u1 : where.v1) = m;
+      (along_u ? where.v0 : where.u0) = b.point.lo;
+      (along_u ? where.v1 : where.u1) = b.point.hi;
+      b.id = new_node(FaceNode::Kind::kSide, where);
+      nodes_[b.id].node.side = 255;  // not on the rectangle's border
+      nodes_[b.id].node.governors = {std::min(b.point.below, b.point.above),
+                                     std::max(b.point.below, b.point.above)};
+    }
+    low = Box{box.u0, box.u1, box.v0, box.v1, {}, {}, {}, box.depth + 1};
+    high = low;
+    if (along_u) {
+      low.u1 = high.u0 = m;
+      low.side = {low0, line, low1, box.side[kLowU]};
+      high.side = {high0, box.side[kHighU], high1, line};
+    } else {
+      low.v1 = high.v0 = m;
+      low.side = {box.side[kLowV], low1, line, low0};
+      high.side = {line, high1, box.side[kHighV], high0};
+    }
+    return {};
+  }
+  return {FaceStatus::kUndecided, trouble.reason};
+}
+
+Trouble FaceEngine::refine(Box box) {
+  ++context_.counts.boxes;
+  std::vector<LocalForm> forms;
+  prune(context_.geometry, box.candidates, range_of(box), forms);
+  Border border = border_of(box);
+  if (accept(box, forms, border)) return {};
+  if (box.depth >= kMaxDepth) return {FaceStatus::kUndecided, "face: depth spent"};
+  box.candidates.clear();
+  for (const LocalForm& f : forms) box.candidates.push_back(f.site);
+  Box low, high;
+  if (const Trouble t = split(box, low, high)) return t;
+  // A triangle stays with a part if its trace meets it: an end inside, or a crossing on its sides.
+  for (Box* part : {&low, &high}) {
+    part->candidates = box.candidates;
+    for (const auto t : box.triangles) {
+      const auto& ends = trace_.at(t);
+      bool keep = in_box(trace_point_[ends[0]], *part) || in_box(trace_point_[ends[1]], *part);
+      for (int s = 0; s < 4 && !keep; ++s)
+        for (const Break& b : part->side[s].brk)
+          keep |= b.point.kind == Breakpoint::Kind::kBoundary && b.point.triangle == t;
+      if (keep) part->triangles.push_back(t);
+    }
+  }
+  box = Box{};
+  if (const Trouble t = refine(std::move(low))) return t;
+  return refine(std::move(high));
+}
+
+FaceDiagram FaceEngine::assemble(const Box& root) {
+  FaceDiagram d;
+  d.rect = problem_.rect;
+  // Internal ties are not nodes: splice the two arcs at each.
+  std::vector<bool> arc_gone(arcs_.size(), false);
+  std::vector<bool> node_gone(nodes_.size(), false);
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    Node& node = nodes_[n];
+    if (node.node.kind != FaceNode::Kind::kSide || node.node.side != 255) continue;
+    BLUM_CHECK(node.arc.size() == 2);
+    const auto a = node.arc[0], b = node.arc[1];
+    if (a == b) {  // a closed loop of G: keep this node on it
+      node.node.kind = FaceNode::Kind::kEvent;
+      continue;
+    }
+    const auto far = [&](std::uint32_t arc) {
+      return arcs_[arc].from == n ? arcs_[arc].to : arcs_[arc].from;
+    };
+    const auto end_a = far(a), end_b = far(b);
+    arcs_[a].from = end_a;
+    arcs_[a].to = end_b;
+    arc_gone[b] = true;
+    std::replace(nodes_[end_b].arc.begin(), nodes_[end_b].arc.end(), b, a);
+    node_gone[n] = true;
+  }
+  std::vector<std::uint32_t> node_index(nodes_.size(), Breakpoint::kNone);
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    if (node_gone[n]) continue;
+    node_index[n] = static_cast<std::uint32_t>(d.node.size());
+    d.node.push_back(nodes_[n].node);
+  }
+  for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
+    if (arc_gone[a]) continue;
+    FaceArc arc = arcs_[a];
+    arc.from = node_index[arc.from];
+    arc.to = node_index[arc.to];
+    d.arc.push_back(arc);
+  }
+
+  // Regions in order of their smallest element; labels of all their elements.
+  const auto elements = region_.size();
+  std::vector<std::uint32_t> region_index(elements, Breakpoint::kNone),
+      piece_index(elements, Breakpoint::kNone);
+  std::vector<bool> seen(elements, false);
+  const auto see = [&](std::uint32_t e) { seen[region_.find(e)] = true; };
+  for (std::uint32_t e = 0; e < elements; ++e)
+    if (!element_label_[e].empty()) see(e);
+  for (std::uint32_t e = 0; e < elements; ++e) {
+    if (!seen[region_.find(e)]) continue;
+    const auto root_e = region_.find(e), root_c = component_.find(e);
+    if (piece_index[root_c] == Breakpoint::kNone) {
+      piece_index[root_c] = static_cast<std::uint32_t>(d.piece.size());
+      d.piece.push_back({0});
+    }
+    if (region_index[root_e] == Breakpoint::kNone) {
+      region_index[root_e] = static_cast<std::uint32_t>(d.region.size());
+      d.region.push_back({{}, piece_index[root_c]});
+    }
+    auto& labels = d.region[region_index[root_e]].labels;
+    labels.insert(labels.end(), element_label_[e].begin(), element_label_[e].end());
+  }
+  for (FaceRegion& r : d.region) {
+    std::sort(r.labels.begin(), r.labels.end());
+    r.labels.erase(std::unique(r.labels.begin(), r.labels.end()), r.labels.end());
+  }
+  for (FaceArc& a : d.arc)
+    for (auto& r : a.region) r = region_index[region_.find(r)];
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+    if (!node_gone[n])
+      d.node[node_index[n]].piece = piece_index[component_.find(nodes_[n].element)];
+  for (int s = 0; s < 4; ++s)
+    for (const Piece1& p : root.side[s].piece)
+      d.side_region[s].push_back(p.inside ? region_index[region_.find(p.element)]
+                                          : FaceDiagram::kOutside);
+  for (const auto& [t, e] : trace_element_)
+    d.trace.push_back({t, region_index[region_.find(e)]});
+  const Border border = border_of(root);
+  for (const Circle& c : border.circle)
+    for (const Step& s : c)
+      if (s.kind == Step::Kind::kInterval) {
+        ++d.piece[piece_index[component_.find(s.id)]].boundary_circles;
+        break;
+      }
+  for (const auto t : border.loop)
+    ++d.piece[piece_index[component_.find(trace_element_.at(t))]].boundary_circles;
+  for (const TracePoint& p : trace_point_)
+    if (in_box(p, root)) d.trace_point.push_back({p.edge});
+  return d;
+}
+
+FaceDiagram FaceEngine::solve(const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) {
+  ++context_.counts.faces;
+  const Rect& r = problem_.rect;
+  u_ = u_axis(r.axis);
+  v_ = v_axis(r.axis);
+  Box root{r.u0, r.u1, r.v0, r.v1, {}, {}, {}, 0};
+  root.candidates.assign(problem_.candidates.begin(), problem_.candidates.end());
+  find_traces(root);
+  for (std::uint8_t s = 0; s < 4; ++s) {
+    root.side[s] = make_line(*side[s]);
+    for (std::uint32_t k = 0; k < root.side[s].brk.size(); ++k) {
+      Break& b = root.side[s].brk[k];
+      if (b.point.kind == Breakpoint::Kind::kBoundary) {
+        b.id = crossings_++;
+        continue;
+      }
+      Box where = Box{r.u0, r.u1, r.v0, r.v1, {}, {}, {}, 0};
+      const bool along_u = s == kLowV || s == kHighV;
+      const double fixed = s == kLowV ? r.v0 : s == kHighV ? r.v1 : s == kLowU ? r.u0 : r.u1;
+      (along_u ? where.v0 : where.u0) = (along_u ? where.v1 : where.u1) = fixed;
+      (along_u ? where.u0 : where.v0) = b.point.lo;
+      (along_u ? where.u1 : where.v1) = b.point.hi;
+      b.id = new_node(FaceNode::Kind::kSide, where);
+      FaceNode& n = nodes_[b.id].node;
+      n.side = s;
+      n.breakpoint = k;
+      n.governors = {std::min(b.point.below, b.point.above),
+                     std::max(b.point.below, b.point.above)};
+    }
+  }
+  // Triangles whose trace misses the rectangle only cost time.
+  std::erase_if(root.triangles, [&](std::uint32_t t) {
+    const auto& ends = trace_.at(t);
+    if (in_box(trace_point_[ends[0]], root) || in_box(trace_point_[ends[1]], root)) return false;
+    for (int s = 0; s < 4; ++s)
+      for (const Break& b : root.side[s].brk)
+        if (b.point.kind == Breakpoint::Kind::kBoundary && b.point.triangle == t) return false;
+    return true;
+  });
+  const Trouble trouble = refine(root);
+  FaceDiagram d;
+  if (trouble) {
+    d.status = trouble.status;
+    d.reason = trouble.reason;
+    d.rect = r;
+  } else {
+    d = assemble(root);
+  }
+  d.side = side;
+  return d;
+}
+
+}  // namespace blum

@@ -1,0 +1,107 @@
+/// Diagrams on rectangles: recursive bisection until every part is a star (see
+/// production_engine.hpp), then gluing by shared ids.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "blum/arrangement/face_diagram.hpp"
+#include "blum/kernel/union_find.hpp"
+#include "engine_context.hpp"
+#include "segment_engine.hpp"
+
+namespace blum {
+
+class FaceEngine {
+ public:
+  FaceEngine(EngineContext& context, const FaceProblem& problem)
+      : context_(context), problem_(problem), segments_(context) {}
+
+  [[nodiscard]] FaceDiagram solve(const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side);
+
+ private:
+  /// A point of a side of a part: an essential tie (node) or a crossing of ∂O.
+  struct Break {
+    Breakpoint point;
+    std::uint32_t id = 0;  ///< kTie: node; kBoundary: crossing
+  };
+  struct Piece1 {  // an interval of a segment; `element` is shared by all parts of it
+    bool inside = false;
+    SiteId witness{};
+    std::uint32_t element = 0;
+  };
+  struct Line {
+    Segment segment;
+    std::vector<Break> brk;
+    std::vector<Piece1> piece;
+  };
+  struct Box {
+    double u0, u1, v0, v1;
+    std::array<Line, 4> side;
+    std::vector<SiteId> candidates;
+    std::vector<std::uint32_t> triangles;  // whose traces meet the box
+    int depth = 0;
+  };
+  /// One step along the border of a component of box ∩ O.
+  struct Step {
+    enum class Kind : std::uint8_t { kInterval, kTie, kTrace, kConvexEdge } kind;
+    std::uint32_t id = 0;   // element | node | triangle | boundary edge
+    SiteId label{};         // kInterval, kTrace
+  };
+  using Circle = std::vector<Step>;
+  struct Border {
+    std::vector<Circle> circle;
+    std::vector<std::uint32_t> loop;  // one triangle of each closed trace loop inside the box
+  };
+  struct Node {
+    FaceNode node;
+    std::vector<std::uint32_t> arc;
+    std::uint32_t element = 0;  // of a region beside it, to find its piece
+  };
+  struct TracePoint {
+    std::uint32_t edge;
+    Ball u, v;
+  };
+
+  [[nodiscard]] Trouble refine(Box box);
+  [[nodiscard]] bool accept(const Box& box, std::span<const LocalForm> forms, const Border& border);
+  [[nodiscard]] bool accept_rim(const Box& box, std::span<const LocalForm> forms,
+                                const Border& border);
+  [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
+                                      const Range& range);
+  void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,
+              const Box& box, std::uint32_t count);
+  [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);
+  [[nodiscard]] Trouble cut(const Line& line, double m, const Box& box, Line& low, Line& high,
+                            bool& inside, SiteId& label);
+  [[nodiscard]] Border border_of(const Box& box);
+  [[nodiscard]] bool in_box(const TracePoint& p, const Box& box);
+  [[nodiscard]] Line make_line(const SegmentDiagram& diagram);
+  [[nodiscard]] Range range_of(const Box& box) const;
+  std::uint32_t new_node(FaceNode::Kind kind, const Box& box);
+  std::uint32_t convex_node(std::uint32_t edge);
+  /// beside: an element of the region on each side.
+  void add_arc(std::uint32_t from, std::uint32_t to, SiteId left, SiteId right,
+               std::array<std::uint32_t, 2> beside);
+  void label_element(std::uint32_t element, std::span<const SiteId> labels);
+  void find_traces(Box& root);
+  [[nodiscard]] FaceDiagram assemble(const Box& root);
+
+  EngineContext& context_;
+  const FaceProblem& problem_;
+  SegmentEngine segments_;
+  int u_ = 0, v_ = 0;
+
+  UnionFind region_, component_;                   // over elements
+  std::vector<std::vector<SiteId>> element_label_;  // per element
+  std::vector<Node> nodes_;
+  std::vector<FaceArc> arcs_;
+  std::vector<TracePoint> trace_point_;
+  std::map<std::uint32_t, std::array<std::uint32_t, 2>> trace_;  // triangle -> its trace points
+  std::map<std::uint32_t, std::uint32_t> trace_element_;          // triangle -> element
+  std::map<std::uint32_t, std::uint32_t> convex_node_;            // boundary edge -> node
+  std::uint32_t crossings_ = 0;
+};
+
+}  // namespace blum

@@ -1,0 +1,199 @@
+#include "local_form.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "blum/kernel/closest_point.hpp"
+
+namespace blum {
+namespace {
+
+double up(double x) { return x * (1 + 0x1p-50) + 0x1p-1000; }
+
+/// Upper end of sum_k |w_k| h_k.
+double spread(const BallVector& w, const Range& r) {
+  return up(w[0].magnitude() * r.half[0] + w[1].magnitude() * r.half[1] +
+            w[2].magnitude() * r.half[2]);
+}
+
+constexpr std::size_t kReferences = 6;
+
+/// Does every point of the range satisfy w.(x - p) <= 0?
+bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h, const Range& range) {
+  return dot(h.w, difference(range.center, geometry.solid().point[h.base])).high() +
+             spread(h.w, range) <= 0;
+}
+
+/// The range leaves triangle t's prism through prism condition `k` alone. If that edge is flat and
+/// the range leaves the neighbour's prism through it alone too, the two together cover the range.
+bool covered_with_neighbour(const SiteGeometry& geometry, std::uint32_t t, int k,
+                            const Range& range) {
+  const Solid& solid = geometry.solid();
+  const auto e = solid.triangle[t].edge[k];
+  if (solid.edge[e].kind != EdgeKind::kFlat) return false;
+  const auto other = solid.edge[e].triangle[solid.edge[e].triangle[0] == t ? 1 : 0];
+  const auto domain = geometry.domain(geometry.index().face(other));
+  for (int j = 0; j < 3; ++j)
+    if (solid.triangle[other].edge[j] != e && !holds_everywhere(geometry, domain[j], range))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+Range Range::of(const Point3& lo, const Point3& hi) {
+  Range r;
+  for (int k = 0; k < 3; ++k) {
+    if (lo[k] == hi[k]) {
+      r.center[k] = lo[k];
+      continue;
+    }
+    const double c = 0.5 * lo[k] + 0.5 * hi[k];
+    r.center[k] = c;
+    r.half[k] = up(std::max(hi[k] - c, c - lo[k]));
+  }
+  return r;
+}
+
+double Range::radius() const {
+  return up(std::sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]));
+}
+
+bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, LocalForm& out) {
+  const Point3& c = range.center;
+  const Solid& solid = geometry.solid();
+  out.site = site;
+  out.kind = geometry.index().kind(site);
+  const auto domain = geometry.domain(site);
+  const std::uint32_t own = geometry.own_conditions(site);
+  out.covers = out.covers_inside = true;
+  int violated = 0, last_violated = 0;
+  for (std::uint32_t k = 0; k < domain.size(); ++k) {
+    const HalfSpace& h = domain[k];
+    const Ball at_center = dot(h.w, difference(c, solid.point[h.base]));
+    const double s = spread(h.w, range);
+    if (at_center.low() - s > 0) return false;
+    if (at_center.high() + s > 0) {
+      if (k < own) {
+        ++violated;
+        last_violated = static_cast<int>(k);
+      } else {
+        out.covers_inside = false;
+      }
+    }
+  }
+  if (violated > 0)
+    out.covers = violated == 1 && out.kind == SiteKind::kFace &&
+                 covered_with_neighbour(geometry, geometry.index().element(site), last_violated,
+                                        range);
+  out.covers_inside = out.covers_inside && out.covers;
+  const BallVector d = difference(c, geometry.base(site));
+  const auto two = Ball(2.0);
+  switch (out.kind) {
+    case SiteKind::kVertex:
+      out.value = dot(d, d);
+      for (int k = 0; k < 3; ++k) out.gradient[k] = two * d[k];
+      out.a = {Ball(1.0), Ball(1.0), Ball(1.0), Ball(0.0), Ball(0.0), Ball(0.0)};
+      break;
+    case SiteKind::kEdge: {
+      const BallVector& u = geometry.unit(site);
+      const Ball along = dot(d, u);
+      const BallVector m = {d[0] - u[0] * along, d[1] - u[1] * along, d[2] - u[2] * along};
+      out.value = dot(m, m);
+      for (int k = 0; k < 3; ++k) out.gradient[k] = two * m[k];
+      const Ball one(1.0);
+      out.a = {one - u[0] * u[0], one - u[1] * u[1], one - u[2] * u[2],
+               -(u[0] * u[1]),    -(u[1] * u[2]),    -(u[2] * u[0])};
+      break;
+    }
+    case SiteKind::kFace: {
+      const BallVector& n = geometry.unit(site);
+      out.height = dot(d, n);
+      out.value = square(out.height);
+      for (int k = 0; k < 3; ++k) out.gradient[k] = two * n[k] * out.height;
+      out.a = {n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[2] * n[0]};
+      break;
+    }
+  }
+  return true;
+}
+
+bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b,
+                       const Range& range) {
+  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace && b.covers_inside) {
+    // Inside both planes the distances are minus the heights: linear, no second-order loss.
+    const BallVector &na = geometry.unit(a.site), &nb = geometry.unit(b.site);
+    const BallVector d = {na[0] - nb[0], na[1] - nb[1], na[2] - nb[2]};
+    return (b.height - a.height).low() - spread(d, range) > 0;
+  }
+  BallVector g;
+  for (int k = 0; k < 3; ++k) g[k] = a.gradient[k] - b.gradient[k];
+  double second = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      second += (a.matrix(i, j) - b.matrix(i, j)).magnitude() * range.half[i] * range.half[j];
+  return (a.value - b.value).low() - spread(g, range) - up(second) > 0;
+}
+
+void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
+           std::vector<LocalForm>& out) {
+  out.clear();
+  const double radius = range.radius();
+  // Upper bound on the distance at the centre: from carriers whose foot is certainly in the site,
+  // else from a point of the site.
+  double nearest = std::numeric_limits<double>::infinity();
+  LocalForm form;
+  for (const SiteId s : candidates) {
+    if (!local_form(geometry, s, range, form)) continue;
+    out.push_back(form);
+    double upper;
+    if (form.covers) {
+      upper = std::sqrt(std::max(0.0, form.value.high()));
+    } else if (form.value.low() > nearest * nearest) {
+      continue;  // its carrier is farther than the bound already found
+    } else {
+      const BallVector d = difference(range.center, closest_point(geometry, s, range.center));
+      upper = std::sqrt(dot(d, d).high()) + kOnSite;
+    }
+    nearest = std::min(nearest, up(upper));
+  }
+  const double limit = up(nearest + 2 * radius);
+  const auto too_far = [&](const LocalForm& f) {
+    if (f.kind == SiteKind::kFace) {
+      const double s = spread(geometry.unit(f.site), range);
+      return -f.height.high() - s > up(limit - radius);
+    }
+    return f.value.low() > up(limit * limit);
+  };
+  std::erase_if(out, too_far);
+  if (out.size() < 2) return;
+
+  std::array<std::uint32_t, kReferences> reference{};
+  std::size_t references = 0;
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    if (!out[i].covers) continue;
+    // The few nearest covering candidates, by insertion.
+    std::size_t at = references;
+    if (references < kReferences) {
+      ++references;
+    } else if (out[i].value.mid >= out[reference[kReferences - 1]].value.mid) {
+      continue;
+    } else {
+      at = kReferences - 1;
+    }
+    while (at > 0 && out[reference[at - 1]].value.mid > out[i].value.mid) {
+      reference[at] = reference[at - 1];
+      --at;
+    }
+    reference[at] = i;
+  }
+  std::vector<LocalForm> ref;
+  for (std::size_t r = 0; r < references; ++r) ref.push_back(out[reference[r]]);
+  std::erase_if(out, [&](const LocalForm& f) {
+    for (const LocalForm& r : ref)
+      if (r.site != f.site && certainly_farther(geometry, f, r, range)) return true;
+    return false;
+  });
+}
+
+}  // namespace blum

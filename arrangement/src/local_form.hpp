@@ -1,0 +1,57 @@
+/// Squared distance to a carrier expanded about the centre of a box, and what can be concluded
+/// about all points of the box from it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "blum/kernel/ball.hpp"
+#include "blum/kernel/site_geometry.hpp"
+
+namespace blum {
+
+/// A box, rectangle, segment or point: centre and half widths (0 on the axes it does not extend in).
+struct Range {
+  Point3 center;
+  std::array<double, 3> half{};
+
+  /// Hull of [lo, hi]: half widths rounded up.
+  static Range of(const Point3& lo, const Point3& hi);
+  [[nodiscard]] double radius() const;  ///< half diagonal, rounded up
+};
+
+/// d^2(c + x) = value + gradient.x + x.A x, all enclosed.
+struct LocalForm {
+  SiteId site{};
+  SiteKind kind = SiteKind::kVertex;
+  Ball value;
+  BallVector gradient;
+  std::array<Ball, 6> a;  ///< xx, yy, zz, xy, yz, zx
+  Ball height;            ///< faces: signed distance of c, negative inside
+  bool covers = false;    ///< every point of the range projects into the closed site (or, for a
+                          ///< face, into a coplanar neighbour)
+  bool covers_inside = false;  ///< and (faces) lies on the inner side
+
+  [[nodiscard]] const Ball& matrix(int i, int j) const {
+    return i == j ? a[i] : a[(i + j == 1) ? 3 : (i + j == 3) ? 4 : 5];
+  }
+};
+
+/// Form of `site` about range.center. Returns false if the whole range lies outside its domain.
+[[nodiscard]] bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range,
+                              LocalForm& out);
+
+/// Is d_a^2 - d_b^2 > 0 (carriers) at every point of the range where a can govern? Requires, for
+/// the conclusion "a does not govern", that b.covers; without it only "a and b do not tie, b nearer
+/// by carrier".
+[[nodiscard]] bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a,
+                                     const LocalForm& b, const Range& range);
+
+/// Keeps those candidates that may govern a point of the range (inside the solid): by domains, by
+/// distance bounds (thesis section 5.4.2), by comparison with candidates that cover the range.
+/// Order is kept.
+void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
+           std::vector<LocalForm>& out);
+
+}  // namespace blum

@@ -1,0 +1,208 @@
+#include "segment_engine.hpp"
+
+#include <algorithm>
+
+#include "blum/kernel/check.hpp"
+
+namespace blum {
+namespace {
+
+constexpr int kMaxDepth = 120;
+constexpr int kSplitAttempts = 8;
+
+Point3 at(const Segment& s, double t) { return point_on(s.axis, t, s.u, s.v); }
+
+struct Crossing {
+  std::uint32_t triangle;
+  double lo, hi;
+};
+
+/// Enclosure of the parameter where the line pierces a triangle's plane.
+Ball crossing_parameter(const SiteGeometry& g, const Segment& s, std::uint32_t triangle) {
+  const SiteId face = g.index().face(triangle);
+  const BallVector& n = g.unit(face);
+  const Ball h = dot(n, difference(at(s, s.t0), g.base(face)));
+  if (n[s.axis].sign() == 2 || n[s.axis].sign() == 0)
+    return {0.5 * (s.t0 + s.t1), 0.5 * (s.t1 - s.t0)};
+  return Ball(s.t0) - divide(h, n[s.axis]);
+}
+
+}  // namespace
+
+std::optional<SiteId> SegmentEngine::governor(const Point3& x,
+                                              std::span<const SiteId> candidates) {
+  context_.predicates.governors(x, candidates, governors_);
+  BLUM_CHECK(!governors_.empty());
+  for (std::size_t i = 0; i < governors_.size(); ++i)
+    for (std::size_t j = i + 1; j < governors_.size(); ++j)
+      if (!context_.never_essential(governors_[i], governors_[j])) return std::nullopt;
+  return governors_.front();
+}
+
+Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+                               std::span<const SiteId> candidates, std::vector<Breakpoint>& out,
+                               int depth) {
+  const Range range = Range::of(at(line, std::min(a.t, b.t)), at(line, std::max(a.t, b.t)));
+  std::vector<LocalForm> forms;
+  prune(context_.geometry, candidates, range, forms);
+  const Groups groups = Groups::make(context_, forms);
+  if (groups.cliques && groups.count == 1) return {};
+  if (groups.cliques && groups.count == 2) {
+    // Theorem D on a line: one group gains on the other all along, so they change at most once.
+    int direction = 0;
+    bool monotone = true;
+    for (std::uint32_t i = 0; i < forms.size() && monotone; ++i) {
+      if (groups.of[i] != 0) continue;
+      for (std::uint32_t j = 0; j < forms.size() && monotone; ++j) {
+        if (groups.of[j] != 1 || !may_tie(context_, forms[i], forms[j], range)) continue;
+        const PairSlope slope = pair_slope(context_, forms[i], forms[j]);
+        std::array<double, 3> w{};
+        w[line.axis] = 1;
+        const bool falls = slope_upper(slope, forms[i], forms[j], range, w) < 0;
+        w[line.axis] = -1;
+        const bool rises = !falls && slope_upper(slope, forms[i], forms[j], range, w) < 0;
+        const int d = falls ? 1 : rises ? -1 : 0;
+        monotone = d != 0 && (direction == 0 || direction == d);
+        direction = d;
+      }
+    }
+    if (monotone) {
+      const auto ga = groups.find(forms, a.label), gb = groups.find(forms, b.label);
+      BLUM_CHECK(ga < 2 && gb < 2);
+      if (ga != gb) {
+        Breakpoint p;
+        p.kind = Breakpoint::Kind::kTie;
+        p.lo = a.t;
+        p.hi = b.t;
+        p.lo_triangle = a.triangle;
+        p.hi_triangle = b.triangle;
+        p.below = a.label;
+        p.above = b.label;
+        out.push_back(p);
+      }
+      return {};
+    }
+  }
+  if (depth >= kMaxDepth) return {FaceStatus::kUndecided, "segment: depth spent"};
+  std::vector<SiteId> kept;
+  kept.reserve(forms.size());
+  for (const LocalForm& f : forms) kept.push_back(f.site);
+  for (int attempt = 0; attempt < kSplitAttempts; ++attempt) {
+    const double m = context_.split(a.t, b.t, attempt);
+    if (!(m > a.t && m < b.t)) return {FaceStatus::kUndecided, "segment: resolution spent"};
+    const Point3 x = at(line, m);
+    // A stretch that ends on ∂O is only known up to the enclosure of the crossing: m must be
+    // exactly on the solid's side of it.
+    if (a.triangle != Breakpoint::kNone && context_.predicates.plane_side(x, a.triangle) >= 0)
+      continue;
+    if (b.triangle != Breakpoint::kNone && context_.predicates.plane_side(x, b.triangle) >= 0)
+      continue;
+    const auto label = governor(x, kept);
+    if (!label) continue;
+    const StretchEnd middle{m, Breakpoint::kNone, *label};
+    if (const Trouble t = isolate(line, a, middle, kept, out, depth + 1)) return t;
+    return isolate(line, middle, b, kept, out, depth + 1);
+  }
+  return {FaceStatus::kUndecided, "segment: no split point in general position"};
+}
+
+Trouble SegmentEngine::solve(const Segment& segment, std::span<const SiteId> candidates,
+                             std::span<const std::uint32_t> triangles, SegmentDiagram& out) {
+  ++context_.counts.segments;
+  Predicates& predicates = context_.predicates;
+  const Solid& solid = context_.geometry.solid();
+  const int ua = u_axis(segment.axis), va = v_axis(segment.axis);
+  out.segment = segment;
+  out.breakpoint.clear();
+  out.interval.clear();
+
+  const Point3 first = at(segment, segment.t0), last = at(segment, segment.t1);
+  std::vector<Crossing> crossing;
+  for (const auto t : triangles) {
+    const auto& v = solid.triangle[t].vertex;
+    const auto outside = [&](int axis, double lo, double hi) {
+      const double p = solid.point[v[0]][axis], q = solid.point[v[1]][axis],
+                   r = solid.point[v[2]][axis];
+      return std::min({p, q, r}) > hi || std::max({p, q, r}) < lo;
+    };
+    if (outside(ua, segment.u, segment.u) || outside(va, segment.v, segment.v) ||
+        outside(segment.axis, segment.t0, segment.t1))
+      continue;
+    const auto pierced = predicates.pierces(t, segment.axis, segment.u, segment.v);
+    if (!pierced) {
+      // The line touches the triangle's border or lies in its plane; harmless if elsewhere on it.
+      const int s0 = predicates.plane_side(first, t), s1 = predicates.plane_side(last, t);
+      if (s0 * s1 > 0) continue;
+      return {FaceStatus::kBadPosition, "segment meets a boundary edge"};
+    }
+    if (*pierced == 0) continue;
+    const int s0 = predicates.plane_side(first, t), s1 = predicates.plane_side(last, t);
+    if (s0 == 0 || s1 == 0) return {FaceStatus::kBadPosition, "end of a segment on the boundary"};
+    if (s0 == s1) continue;
+    const Ball p = crossing_parameter(context_.geometry, segment, t);
+    crossing.push_back({t, std::max(segment.t0, p.low()), std::min(segment.t1, p.high())});
+  }
+  bool equal = false;
+  std::sort(crossing.begin(), crossing.end(), [&](const Crossing& p, const Crossing& q) {
+    if (p.triangle == q.triangle) return false;
+    if (p.hi < q.lo) return true;
+    if (q.hi < p.lo) return false;
+    const int s =
+        predicates.compare_crossing(p.triangle, q.triangle, segment.axis, segment.u, segment.v);
+    if (s == 0) equal = true;
+    return s != 0 ? s < 0 : p.triangle < q.triangle;
+  });
+  if (equal) return {FaceStatus::kBadPosition, "two boundary triangles at one point of a segment"};
+
+  const auto where = context_.inside.locate(first);
+  if (where == InsideOracle::Where::kBoundary)
+    return {FaceStatus::kBadPosition, "end of a segment on the boundary"};
+  bool inside = where == InsideOracle::Where::kInside;
+  const SiteIndex& index = context_.geometry.index();
+
+  StretchEnd begin{segment.t0, Breakpoint::kNone, {}};
+  if (inside) {
+    const auto label = governor(first, candidates);
+    if (!label) return {FaceStatus::kBadPosition, "end of a segment on an essential tie"};
+    begin.label = *label;
+  }
+  const auto stretch = [&](const StretchEnd& end) -> Trouble {
+    const std::size_t old = out.breakpoint.size();
+    if (const Trouble t = isolate(segment, begin, end, candidates, out.breakpoint)) return t;
+    out.interval.push_back({true, begin.label});
+    for (std::size_t k = old; k < out.breakpoint.size(); ++k)
+      out.interval.push_back({true, out.breakpoint[k].above});
+    return {};
+  };
+  for (const Crossing& c : crossing) {
+    const SiteId face = index.face(c.triangle);
+    const StretchEnd here{0.5 * (c.lo + c.hi), c.triangle, face};
+    if (inside) {
+      StretchEnd end = here;
+      end.t = c.hi;
+      if (const Trouble t = stretch(end)) return t;
+    } else {
+      out.interval.push_back({false, {}});
+    }
+    Breakpoint p;
+    p.kind = Breakpoint::Kind::kBoundary;
+    p.lo = c.lo;
+    p.hi = c.hi;
+    p.triangle = c.triangle;
+    out.breakpoint.push_back(p);
+    inside = !inside;
+    begin = here;
+    begin.t = c.lo;
+  }
+  if (!inside) {
+    out.interval.push_back({false, {}});
+    return {};
+  }
+  StretchEnd end{segment.t1, Breakpoint::kNone, {}};
+  const auto label = governor(last, candidates);
+  if (!label) return {FaceStatus::kBadPosition, "end of a segment on an essential tie"};
+  end.label = *label;
+  return stretch(end);
+}
+
+}  // namespace blum

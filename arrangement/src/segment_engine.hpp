@@ -1,0 +1,45 @@
+/// Diagrams on axis-parallel segments.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine_context.hpp"
+
+namespace blum {
+
+/// One end of a stretch of a segment inside the solid: a double, or the crossing of ∂O.
+struct StretchEnd {
+  double t = 0;  ///< for a crossing: a double within its enclosure
+  std::uint32_t triangle = Breakpoint::kNone;
+  SiteId label{};  ///< an exact governor there
+};
+
+/// Outcome of a computation that may find the input in bad position.
+struct Trouble {
+  FaceStatus status = FaceStatus::kDecided;
+  const char* reason = "";
+  explicit operator bool() const { return status != FaceStatus::kDecided; }
+};
+
+class SegmentEngine {
+ public:
+  explicit SegmentEngine(EngineContext& context) : context_(context) {}
+
+  [[nodiscard]] Trouble solve(const Segment& segment, std::span<const SiteId> candidates,
+                              std::span<const std::uint32_t> triangles, SegmentDiagram& out);
+
+  /// Essential ties on the open stretch (a, b), in order, appended to out.
+  [[nodiscard]] Trouble isolate(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+                                std::span<const SiteId> candidates, std::vector<Breakpoint>& out,
+                                int depth = 0);
+
+  /// An exact governor at a point of the solid; nullopt on an essential tie.
+  [[nodiscard]] std::optional<SiteId> governor(const Point3& x, std::span<const SiteId> candidates);
+
+ private:
+  EngineContext& context_;
+  std::vector<SiteId> governors_;
+};
+
+}  // namespace blum

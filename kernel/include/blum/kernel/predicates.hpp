@@ -1,0 +1,86 @@
+/// Exact predicates on sites. Each decides by a ball filter in double, then 128-bit balls, then
+/// exact arithmetic; the answer never depends on which stage gave it.
+#pragma once
+
+#include <optional>
+
+#include "blum/kernel/point.hpp"
+#include "blum/kernel/site_geometry.hpp"
+#include "blum/kernel/stage.hpp"
+
+namespace blum {
+
+/// Not thread-safe (it counts stages): one object a thread.
+///
+/// Requires everywhere: finite coordinates in the working frame (|x| <= 4); sites that are
+/// candidates of the medial axis where `SiteId`s are taken.
+class Predicates {
+ public:
+  explicit Predicates(const SiteGeometry& geometry) : geometry_(&geometry) {}
+
+  [[nodiscard]] const SiteGeometry& geometry() const { return *geometry_; }
+  [[nodiscard]] const StageCounts& stages() const { return stages_; }
+
+  /// Sign of d_a(x)^2 - d_b(x)^2 for the *carriers* of a and b: negative if a is strictly nearer,
+  /// zero on an exact tie. Source: thesis section 5.4.1.
+  [[nodiscard]] int compare_distance(const Point3& x, SiteId a, SiteId b);
+
+  /// Is x in the closed domain of s (theory section 1)?
+  [[nodiscard]] bool in_domain(const Point3& x, SiteId s);
+
+  /// Sign of n.(x - a) for the outer normal n of a triangle: negative on the solid's side.
+  [[nodiscard]] int plane_side(const Point3& x, std::uint32_t triangle);
+
+  /// Does the line parallel to `axis` through (u, v) pierce the triangle? +1: leaves the solid in
+  /// the direction of the axis, -1: enters it, 0: misses it; nullopt: meets its border or lies in
+  /// its plane.
+  [[nodiscard]] std::optional<int> pierces(std::uint32_t triangle, int axis, double u, double v);
+
+  /// Order along the line of the points where it pierces two triangles (sign of first - second).
+  /// Requires: pierces() is +-1 for both.
+  [[nodiscard]] int compare_crossing(std::uint32_t first, std::uint32_t second, int axis, double u,
+                                     double v);
+
+  /// The point where a boundary edge crosses the plane x[axis] = level: sign of its coordinate
+  /// `along` minus `value`. Requires: the edge's ends lie strictly on different sides.
+  [[nodiscard]] int compare_edge_crossing(std::uint32_t edge, int axis, double level, int along,
+                                          double value);
+
+  /// Carriers equal or one contained in the other (theory section 1).
+  [[nodiscard]] bool redundant(SiteId a, SiteId b);
+
+  /// Ties of a and b are never essential: they are redundant, or one of them has all its incident
+  /// supporting planes weakly separating it from the other, so that points that both govern have
+  /// equal feet (docs/proofs.md, Lemma 1). Symmetric.
+  [[nodiscard]] bool never_essential(SiteId a, SiteId b);
+
+  /// All governors of x among `candidates` (sorted): those whose closed domain contains x and whose
+  /// distance is minimal. Empty if no domain contains x.
+  void governors(const Point3& x, std::span<const SiteId> candidates, std::vector<SiteId>& out);
+
+  /// Rim test (theory section 1). r(t) = v + t (a x b), a and b the directions of two edges at v.
+  /// Does every site of `sites` (all incident to v) project r(t) to v for all t?
+  [[nodiscard]] bool rim_common(std::uint32_t v, std::uint32_t edge_a, std::uint32_t edge_b,
+                                std::span<const SiteId> sites);
+  /// Where r meets the plane x[axis] = level: sign of its coordinate `along` minus `value`;
+  /// nullopt if r is parallel to the plane.
+  [[nodiscard]] std::optional<int> compare_rim(std::uint32_t v, std::uint32_t edge_a,
+                                               std::uint32_t edge_b, int axis, double level,
+                                               int along, double value);
+
+  /// Enclosure of unit(a) - unit(b) for two faces, with small *relative* error however close the
+  /// normals are; all components zero iff the normals are equal.
+  [[nodiscard]] BallVector unit_difference(SiteId face_a, SiteId face_b);
+
+ private:
+  [[nodiscard]] bool behind(SiteId site, SiteId other);
+  template <class F>
+  [[nodiscard]] int decide(F&& expression);
+
+  const SiteGeometry* geometry_;
+  StageCounts stages_;
+  struct Near;
+  std::vector<std::pair<Ball, SiteId>> scratch_;
+};
+
+}  // namespace blum

@@ -1,0 +1,110 @@
+#include "blum/kernel/site_geometry.hpp"
+
+#include "blum/kernel/check.hpp"
+#include "site_expressions.hpp"
+
+namespace blum {
+namespace {
+
+namespace expression = detail::expression;
+
+BallVector normalised(const BallVector& w) {
+  const Ball squared = dot(w, w);
+  BLUM_CHECK(squared.sign() == 1);
+  const Ball length = root(squared);
+  return {divide(w[0], length), divide(w[1], length), divide(w[2], length)};
+}
+
+}  // namespace
+
+SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
+  half_begin_.reserve(index_.size() + 1);
+  unit_.resize(index_.size());
+  const auto add = [&](HalfSpace h) {
+    h.w = expression::half_space_direction<Ball>(solid, h);
+    half_.push_back(h);
+  };
+  using Kind = HalfSpace::Kind;
+  for (std::uint32_t v = 0; v < solid.point.size(); ++v) {
+    half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
+    bool has_reflex = false;
+    for (const auto e : solid.edges_at(v)) has_reflex |= solid.edge[e].kind == EdgeKind::kReflex;
+    if (!has_reflex || solid.vertex_degenerate[v]) continue;
+    candidates_.push_back(index_.vertex(v));
+    for (const auto e : solid.edges_at(v)) {
+      const auto& ends = solid.edge[e].vertex;
+      add({Kind::kAlong, v, ends[0] == v ? ends[1] : ends[0], 0, v, {}});
+    }
+  }
+  for (std::uint32_t e = 0; e < solid.edge.size(); ++e) {
+    half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
+    const SolidEdge& edge = solid.edge[e];
+    const auto [a, b] = edge.vertex;
+    const SiteId site = index_.edge(e);
+    unit_[site.value] = normalised(difference(solid.point[b], solid.point[a]));
+    if (edge.kind != EdgeKind::kReflex) continue;
+    candidates_.push_back(site);
+    add({Kind::kAlong, a, b, 0, b, {}});
+    add({Kind::kAlong, b, a, 0, a, {}});
+    for (const auto t : edge.triangle) {
+      std::uint32_t opposite = 0;
+      for (const auto v : solid.triangle[t].vertex)
+        if (v != a && v != b) opposite = v;
+      add({Kind::kInFace, a, b, opposite, a, {}});
+    }
+  }
+  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
+    half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
+    const auto [a, b, c] = solid.triangle[t].vertex;
+    candidates_.push_back(index_.face(t));
+    add({Kind::kPrism, a, b, c, a, {}});
+    add({Kind::kPrism, b, c, a, b, {}});
+    add({Kind::kPrism, c, a, b, c, {}});
+    add({Kind::kPlane, a, b, c, a, {}});
+    // A sliver's normal can be lost in double differences; 128-bit balls then give the unit vector.
+    unit_[index_.face(t).value] = expression::unit_normal(solid, t);
+  }
+  half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
+}
+
+std::uint32_t SiteGeometry::own_conditions(SiteId s) const {
+  switch (index_.kind(s)) {
+    case SiteKind::kVertex: return 0;
+    case SiteKind::kEdge: return 2;
+    case SiteKind::kFace: return 3;
+  }
+  return 0;
+}
+
+const Point3& SiteGeometry::base(SiteId s) const {
+  const auto i = index_.element(s);
+  switch (index_.kind(s)) {
+    case SiteKind::kVertex: return solid_->point[i];
+    case SiteKind::kEdge: return solid_->point[solid_->edge[i].vertex[0]];
+    case SiteKind::kFace: break;
+  }
+  return solid_->point[solid_->triangle[i].vertex[0]];
+}
+
+std::array<std::uint32_t, 3> SiteGeometry::corners(SiteId s, int& count) const {
+  const auto i = index_.element(s);
+  switch (index_.kind(s)) {
+    case SiteKind::kVertex: count = 1; return {i, 0, 0};
+    case SiteKind::kEdge:
+      count = 2;
+      return {solid_->edge[i].vertex[0], solid_->edge[i].vertex[1], 0};
+    case SiteKind::kFace: break;
+  }
+  count = 3;
+  return solid_->triangle[i].vertex;
+}
+
+SiteCounts count_sites(const Solid& solid) {
+  SiteCounts n;
+  for (std::size_t v = 0; v < solid.point.size(); ++v) n.vertices += !solid.vertex_degenerate[v];
+  for (const auto& e : solid.edge) n.edges += e.kind != EdgeKind::kFlat;
+  n.faces = solid.triangle.size();
+  return n;
+}
+
+}  // namespace blum

@@ -1,0 +1,53 @@
+/// From a solid to its certified homotopy-preserving medial axis, in one call.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "blum/kernel/result.hpp"
+#include "blum/kernel/solid.hpp"
+#include "blum/kernel/stage.hpp"
+#include "blum/medial/complex.hpp"
+#include "blum/medial/parts.hpp"
+#include "blum/subdivision/subdivision.hpp"
+
+namespace blum {
+
+struct MedialOptions : SubdivisionOptions {
+  int threads = 1;
+};
+
+struct UndecidedCell {
+  Box3 box;  ///< model units
+  UndecidedReason reason = UndecidedReason::kDepth;
+};
+
+struct PhaseTimes {
+  double subdivide_s = 0, assemble_s = 0;
+};
+
+struct MedialResult {
+  bool certified = false;
+  CellComplex complex;  ///< empty where not certified parts are left out; see undecided
+  Parts parts;
+  std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
+  std::array<long, 3> solid_betti{};
+  std::size_t leaves = 0;
+  int max_depth = 0;
+  std::vector<UndecidedCell> undecided;
+  /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter.
+  double hausdorff_bound = 0;
+  StageCounts stages;
+  PhaseTimes time;
+  std::uint64_t seed = 0;
+  int threads = 1;
+};
+
+/// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says
+/// certified == false and lists what is undecided.
+[[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
+                                                       const MedialOptions& options);
+
+}  // namespace blum

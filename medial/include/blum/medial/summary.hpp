@@ -1,0 +1,40 @@
+/// What a run did, as JSON (a stable schema, for scripts) and as text for people.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "blum/kernel/solid.hpp"
+#include "blum/medial/medial_axis.hpp"
+
+namespace blum {
+
+struct SummaryInput {
+  std::string model;  ///< as the caller names it
+  const Solid* solid = nullptr;
+  const MedialResult* result = nullptr;
+  double read_s = 0;   ///< reading and validating the file
+  double sites_s = 0;  ///< from the mesh to the solid and its sites
+  double total_s = 0;
+  std::uint64_t peak_memory_bytes = 0;
+  std::string version;
+};
+
+/// Highest resident memory of this process so far; 0 where the system does not tell.
+[[nodiscard]] std::uint64_t peak_memory_bytes();
+
+/// One JSON object:
+///   {"model", "sites": {"vertices","edges","faces"}, "solid": {"betti"}, "result": {"mode",
+///   "certified","betti","sheets","seams","junctions","clusters","leaves","max_depth",
+///   "undecided_cells","hausdorff_bound"}, "stages": {"filter","extended","exact"}, "time_s":
+///   {"read","sites","subdivide","assemble","total"}, "peak_memory_bytes", "seed", "threads",
+///   "version"}
+/// result.betti is null unless the result is certified. Only if cells are undecided there is one
+/// more key, "undecided": [{"reason", "lo", "hi"}], at most the first 1000 of them.
+/// Numbers that are not finite become null. Requires solid and result.
+[[nodiscard]] std::string summary_json(const SummaryInput& input);
+
+/// The same for people: lines, each ended by a line break.
+[[nodiscard]] std::string summary_text(const SummaryInput& input);
+
+}  // namespace blum

@@ -1,0 +1,349 @@
+#include "assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "blum/kernel/check.hpp"
+#include "blum/kernel/union_find.hpp"
+#include "locate.hpp"
+
+namespace blum {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+class Assembler {
+ public:
+  Assembler(const SiteGeometry& geometry, const Subdivision& subdivision, EngineSet& engines)
+      : geometry_(geometry),
+        solid_(geometry.solid()),
+        subdivision_(subdivision),
+        engines_(engines),
+        locator_(geometry, engines.production()) {}
+
+  CellComplex run();
+
+ private:
+  /// The common rectangle of two neighbouring leaves.
+  struct Interface {
+    std::uint32_t low, high;  // leaves
+    Rect rect;
+    std::shared_ptr<const FaceDiagram> diagram;
+  };
+  using LineKey = std::tuple<int, double, double>;
+  struct LeafGraph {
+    std::vector<std::uint32_t> arc;      // complex edges
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  // (boundary edge, vertex)
+  };
+
+  void pair_cells(std::uint32_t node);
+  void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
+  void solve_interfaces();
+  void cut_lines();
+  [[nodiscard]] std::vector<std::uint32_t> ties_of(const Interface& interface, int side);
+  void add_interface(const Interface& interface);
+  void add_leaf(std::uint32_t leaf);
+  std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
+  [[nodiscard]] const Leaf& donor(const Interface& i) const;
+
+  const SiteGeometry& geometry_;
+  const Solid& solid_;
+  const Subdivision& subdivision_;
+  EngineSet& engines_;
+  Locator locator_;
+  std::vector<Interface> interface_;
+  std::map<LineKey, std::vector<double>> line_;  // breakpoints of minimal interface edges
+  std::map<std::tuple<LineKey, double>, std::vector<std::uint32_t>> tie_;  // by lower end
+  std::vector<LeafGraph> graph_;
+  std::map<std::uint32_t, std::uint32_t> boundary_vertex_;
+  CellComplex complex_;
+};
+
+const Leaf& Assembler::donor(const Interface& i) const {
+  // Candidates of either side are complete on the common face; the shorter list is cheaper.
+  const Leaf &a = subdivision_.leaf[i.low], &b = subdivision_.leaf[i.high];
+  return a.candidates.size() <= b.candidates.size() ? a : b;
+}
+
+void Assembler::pair_cells(std::uint32_t root) {
+  std::vector<std::uint32_t> stack{root};
+  while (!stack.empty()) {
+    const CellNode& node = subdivision_.node[stack.back()];
+    stack.pop_back();
+    if (node.axis < 0) continue;
+    const int a = node.axis, u = u_axis(a), v = v_axis(a);
+    pair_faces(node.child, node.child + 1,
+               {a, node.cut, node.box.lo[u], node.box.hi[u], node.box.lo[v], node.box.hi[v]});
+    stack.push_back(node.child);
+    stack.push_back(node.child + 1);
+  }
+}
+
+void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect) {
+  const CellNode &l = subdivision_.node[low], &h = subdivision_.node[high];
+  if (l.axis < 0 && h.axis < 0) {
+    const auto usable = [&](std::uint32_t leaf) {
+      const auto t = subdivision_.leaf[leaf].theorem;
+      return t == LeafTheorem::kConical || t == LeafTheorem::kBoundary;
+    };
+    if (usable(l.leaf) && usable(h.leaf)) interface_.push_back({l.leaf, h.leaf, rect, nullptr});
+    return;
+  }
+  const bool split_low = l.axis >= 0;
+  const CellNode& node = split_low ? l : h;
+  const auto recurse = [&](std::uint32_t child, const Rect& part) {
+    if (split_low) pair_faces(child, high, part);
+    else pair_faces(low, child, part);
+  };
+  if (node.axis == rect.axis) {
+    recurse(split_low ? node.child + 1 : node.child, rect);
+    return;
+  }
+  const bool along_u = node.axis == u_axis(rect.axis);
+  Rect first = rect, second = rect;
+  (along_u ? first.u1 : first.v1) = std::min(along_u ? rect.u1 : rect.v1, node.cut);
+  (along_u ? second.u0 : second.v0) = std::max(along_u ? rect.u0 : rect.v0, node.cut);
+  if (first.u0 < first.u1 && first.v0 < first.v1) recurse(node.child, first);
+  if (second.u0 < second.u1 && second.v0 < second.v1) recurse(node.child + 1, second);
+}
+
+void Assembler::solve_interfaces() {
+  for (Interface& i : interface_) {
+    const Leaf& leaf = donor(i);
+    i.diagram = engines_.cache().face(solid_, i.rect, leaf.candidates, leaf.triangles);
+    if (i.diagram->status != FaceStatus::kDecided)
+      throw BrokenInvariant("interface in bad position: " + i.diagram->reason);
+  }
+}
+
+void Assembler::cut_lines() {
+  for (const Interface& i : interface_)
+    for (int s = 0; s < 4; ++s) {
+      const Segment e = side_segment(i.rect, s);
+      auto& points = line_[{e.axis, e.u, e.v}];
+      points.push_back(e.t0);
+      points.push_back(e.t1);
+    }
+  for (auto& [key, points] : line_) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+  }
+}
+
+std::uint32_t Assembler::add_vertex(const Placed& placed, ComplexVertex::Kind kind) {
+  ComplexVertex v;
+  v.position = solid_.frame.to_model(placed.position);
+  v.radius = solid_.frame.length_to_model(placed.radius);
+  v.on_axis = placed.on_axis;
+  v.kind = kind;
+  v.governors = placed.governors;
+  complex_.vertex.push_back(std::move(v));
+  return static_cast<std::uint32_t>(complex_.vertex.size() - 1);
+}
+
+std::vector<std::uint32_t> Assembler::ties_of(const Interface& interface, int side) {
+  const Segment e = side_segment(interface.rect, side);
+  const LineKey key{e.axis, e.u, e.v};
+  const auto& points = line_.at(key);
+  std::vector<std::uint32_t> vertices;
+  for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it) {
+    const double t0 = *it, t1 = *std::next(it);
+    const auto [slot, fresh] = tie_.try_emplace({key, t0});
+    if (fresh) {
+      const Leaf& leaf = donor(interface);
+      const Segment part{e.axis, e.u, e.v, t0, t1};
+      const SegmentAnswer a = engines_.cache().segment(part, leaf.candidates, leaf.triangles);
+      if (a.status != FaceStatus::kDecided)
+        throw BrokenInvariant(std::string("interface edge in bad position: ") + a.reason);
+      for (const Breakpoint& b : a.diagram->breakpoint)
+        if (b.kind == Breakpoint::Kind::kTie)
+          slot->second.push_back(add_vertex(locator_.tie(part, b, leaf.candidates),
+                                            ComplexVertex::Kind::kArcPoint));
+    }
+    vertices.insert(vertices.end(), slot->second.begin(), slot->second.end());
+  }
+  return vertices;
+}
+
+void Assembler::add_interface(const Interface& interface) {
+  const FaceDiagram& d = *interface.diagram;
+  const Leaf& leaf = donor(interface);
+  // Ties of a side, by breakpoint index of the side's own diagram.
+  std::array<std::map<std::uint32_t, std::uint32_t>, 4> tie;
+  for (int s = 0; s < 4; ++s) {
+    const auto vertices = ties_of(interface, s);
+    std::size_t n = 0;
+    for (std::uint32_t k = 0; k < d.side[s]->breakpoint.size(); ++k)
+      if (d.side[s]->breakpoint[k].kind == Breakpoint::Kind::kTie) {
+        BLUM_CHECK(n < vertices.size());
+        tie[s][k] = vertices[n++];
+      }
+    BLUM_CHECK(n == vertices.size());
+  }
+  LeafGraph &low = graph_[interface.low], &high = graph_[interface.high];
+  std::vector<std::uint32_t> vertex(d.node.size());
+  for (std::size_t n = 0; n < d.node.size(); ++n) {
+    const FaceNode& node = d.node[n];
+    switch (node.kind) {
+      case FaceNode::Kind::kSide: vertex[n] = tie[node.side].at(node.breakpoint); break;
+      case FaceNode::Kind::kEvent:
+        vertex[n] = add_vertex(locator_.event(d.rect, node, leaf.candidates),
+                               ComplexVertex::Kind::kEvent);
+        break;
+      case FaceNode::Kind::kRim:
+        vertex[n] =
+            add_vertex(locator_.rim(d.rect, node, leaf.candidates), ComplexVertex::Kind::kRim);
+        break;
+      case FaceNode::Kind::kConvexEdge:
+        vertex[n] = add_vertex(locator_.convex_edge(d.rect, node),
+                               ComplexVertex::Kind::kConvexEdge);
+        low.crossing.emplace_back(node.boundary_edge, vertex[n]);
+        high.crossing.emplace_back(node.boundary_edge, vertex[n]);
+        break;
+    }
+  }
+  for (const FaceArc& a : d.arc) {
+    ComplexEdge e;
+    e.vertex = {vertex[a.from], vertex[a.to]};
+    e.kind = ComplexEdge::Kind::kArc;
+    e.governors = {a.left, a.right};
+    const auto id = static_cast<std::uint32_t>(complex_.edge.size());
+    complex_.edge.push_back(e);
+    low.arc.push_back(id);
+    high.arc.push_back(id);
+  }
+}
+
+void Assembler::add_leaf(std::uint32_t index) {
+  const Leaf& leaf = subdivision_.leaf[index];
+  LeafGraph& graph = graph_[index];
+  const bool conical = leaf.theorem == LeafTheorem::kConical;
+  if (!conical) {
+    // The convex boundary edges inside the leaf belong to its graph.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> ends;
+    for (const auto& [edge, vertex] : graph.crossing) ends[edge].push_back(vertex);
+    for (const auto t : leaf.triangles)
+      for (const auto v : solid_.triangle[t].vertex) {
+        const Point3& p = solid_.point[v];
+        bool inside = true;
+        for (int k = 0; k < 3; ++k) inside &= p[k] > leaf.box.lo[k] && p[k] < leaf.box.hi[k];
+        if (!inside) continue;
+        for (const auto e : solid_.edges_at(v)) {
+          if (solid_.edge[e].kind != EdgeKind::kConvex) continue;
+          const auto [it, fresh] = boundary_vertex_.try_emplace(v, kNone);
+          if (fresh) {
+            Placed placed;
+            placed.position = p;
+            placed.on_axis = true;
+            placed.governors = {geometry_.index().vertex(v)};
+            it->second = add_vertex(placed, ComplexVertex::Kind::kBoundary);
+          }
+          auto& list = ends[e];
+          if (std::find(list.begin(), list.end(), it->second) == list.end())
+            list.push_back(it->second);
+        }
+      }
+    for (const auto& [edge, list] : ends) {
+      BLUM_CHECK(list.size() == 2);
+      ComplexEdge e;
+      e.vertex = {list[0], list[1]};
+      e.kind = ComplexEdge::Kind::kConvexEdge;
+      const auto& sides = solid_.edge[edge].triangle;
+      e.governors = {geometry_.index().face(sides[0]), geometry_.index().face(sides[1])};
+      graph.arc.push_back(static_cast<std::uint32_t>(complex_.edge.size()));
+      complex_.edge.push_back(e);
+    }
+  }
+  if (graph.arc.empty()) return;
+
+  std::map<std::uint32_t, std::uint32_t> local;
+  std::vector<std::uint32_t> vertices;
+  UnionFind components;
+  for (const auto e : graph.arc) {
+    for (const auto v : complex_.edge[e].vertex)
+      if (local.try_emplace(v, components.size()).second) {
+        components.add();
+        vertices.push_back(v);
+      }
+    components.unite(local.at(complex_.edge[e].vertex[0]), local.at(complex_.edge[e].vertex[1]));
+  }
+  std::map<std::uint32_t, std::uint32_t> cone_of;  // component -> cone
+  std::map<std::uint32_t, std::pair<Point3, double>> center;
+  for (const auto v : vertices) {
+    auto& [sum, n] = center[components.find(local.at(v))];
+    const Point3& p = complex_.vertex[v].position;
+    sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+    n += 1;
+  }
+  for (const auto& [component, c] : center) {
+    Placed placed;
+    if (conical) {
+      placed.position = solid_.point[leaf.boundary_vertex];
+      placed.on_axis = true;
+      placed.governors = {geometry_.index().vertex(leaf.boundary_vertex)};
+    } else {
+      const Point3& o = solid_.frame.origin;
+      Point3 x;
+      for (int k = 0; k < 3; ++k) {
+        const double mean = c.first[k] / c.second;
+        x[k] = std::clamp(std::ldexp(mean - o[k], -solid_.frame.exponent), leaf.box.lo[k],
+                          leaf.box.hi[k]);
+      }
+      placed = locator_.anywhere(x, leaf.candidates);
+    }
+    ComplexCone cone;
+    cone.leaf = index;
+    cone.apex = add_vertex(placed, ComplexVertex::Kind::kCone);
+    if (conical) cone.boundary_vertex = leaf.boundary_vertex;
+    cone_of[component] = static_cast<std::uint32_t>(complex_.cone.size());
+    complex_.cone.push_back(cone);
+  }
+  std::map<std::uint32_t, std::uint32_t> spoke;  // vertex -> cone edge
+  std::map<std::uint32_t, std::array<SiteId, 2>> spoke_governors;
+  for (const auto e : graph.arc)
+    for (const auto v : complex_.edge[e].vertex)
+      spoke_governors.try_emplace(v, complex_.edge[e].governors);
+  for (const auto v : vertices) {
+    ComplexEdge e;
+    const auto cone = cone_of.at(components.find(local.at(v)));
+    e.vertex = {v, complex_.cone[cone].apex};
+    e.kind = ComplexEdge::Kind::kCone;
+    e.leaf = cone;
+    e.governors = spoke_governors.at(v);
+    spoke[v] = static_cast<std::uint32_t>(complex_.edge.size());
+    complex_.edge.push_back(e);
+  }
+  for (const auto e : graph.arc) {
+    const ComplexEdge base = complex_.edge[e];
+    ComplexTriangle t;
+    t.edge = {e, spoke.at(base.vertex[0]), spoke.at(base.vertex[1])};
+    t.cone = cone_of.at(components.find(local.at(base.vertex[0])));
+    t.governors = base.governors;
+    complex_.triangle.push_back(t);
+  }
+}
+
+CellComplex Assembler::run() {
+  graph_.resize(subdivision_.leaf.size());
+  pair_cells(0);
+  solve_interfaces();
+  cut_lines();
+  for (const Interface& i : interface_) add_interface(i);
+  for (std::uint32_t l = 0; l < subdivision_.leaf.size(); ++l) {
+    const auto t = subdivision_.leaf[l].theorem;
+    if (t == LeafTheorem::kConical || t == LeafTheorem::kBoundary) add_leaf(l);
+  }
+  return std::move(complex_);
+}
+
+}  // namespace
+
+CellComplex assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
+                     EngineSet& engines) {
+  return Assembler(geometry, subdivision, engines).run();
+}
+
+}  // namespace blum

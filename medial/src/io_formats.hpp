@@ -1,0 +1,26 @@
+/// The formats of io.hpp as functions to a stream, and what they share.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "blum/kernel/solid.hpp"
+#include "blum/medial/medial_axis.hpp"
+#include "io_stream.hpp"
+
+namespace blum::detail {
+
+void put_ma(OutputStream& out, const MedialResult& result);
+void put_vtp(OutputStream& out, const MedialResult& result, const Solid& solid);
+void put_obj(OutputStream& out, const MedialResult& result);
+
+/// The edges that are drawn as lines: seams, and edges with other than two triangles (rims, convex
+/// edges, the border of what is undecided).
+[[nodiscard]] std::vector<std::uint32_t> drawn_edges(const MedialResult& result);
+
+/// The vertices of a triangle: both ends of its base, then the apex.
+[[nodiscard]] std::array<std::uint32_t, 3> corners(const CellComplex& complex,
+                                                   const ComplexTriangle& triangle);
+
+}  // namespace blum::detail

@@ -1,0 +1,235 @@
+// VTK XML PolyData with inline uncompressed binary arrays: each is one base64 run of its length in
+// bytes (UInt64) and its values, in the byte order named in the header.
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "io_formats.hpp"
+
+namespace blum::detail {
+namespace {
+
+template <class T>
+constexpr std::string_view vtk_type() {
+  if constexpr (std::same_as<T, double>) return "Float64";
+  if constexpr (std::same_as<T, std::int64_t>) return "Int64";
+  if constexpr (std::same_as<T, std::uint64_t>) return "UInt64";
+  if constexpr (std::same_as<T, std::int32_t>) return "Int32";
+  if constexpr (std::same_as<T, std::uint8_t>) return "UInt8";
+}
+
+/// One DataArray. Arrays of FieldData have to name their number of tuples, others may not need it.
+template <class T>
+class DataArray {
+ public:
+  DataArray(OutputStream& out, std::string_view name, std::size_t tuples, int components = 1)
+      : out_(out), base64_(out) {
+    out_ << "<DataArray type=\"" << vtk_type<T>() << "\" Name=\"" << name
+         << "\" NumberOfComponents=\"" << components << "\" NumberOfTuples=\"" << tuples
+         << "\" format=\"binary\">\n";
+    base64_.put(static_cast<std::uint64_t>(sizeof(T) * tuples * static_cast<unsigned>(components)));
+  }
+  DataArray(const DataArray&) = delete;
+  DataArray& operator=(const DataArray&) = delete;
+  ~DataArray() {
+    base64_.end();
+    out_ << "\n</DataArray>\n";
+  }
+  template <class Value>
+  void put(Value value) {
+    base64_.put(static_cast<T>(value));
+  }
+  void put(const Point3& p) {
+    put(p.x);
+    put(p.y);
+    put(p.z);
+  }
+
+ private:
+  OutputStream& out_;
+  Base64 base64_;
+};
+
+class VtpWriter {
+ public:
+  VtpWriter(OutputStream& out, const MedialResult& result, const Solid& solid)
+      : out_(out), result_(result), k_(result.complex), solid_(solid), line_(drawn_edges(result)) {}
+
+  void write() {
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
+         << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
+         << "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
+    field_data();
+    out_ << "</FieldData>\n<Piece NumberOfPoints=\"" << k_.vertex.size()
+         << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << line_.size()
+         << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << k_.triangle.size()
+         << "\">\n<PointData Scalars=\"radius\">\n";
+    point_data();
+    out_ << "</PointData>\n<CellData Scalars=\"sheet\">\n";
+    cell_data();
+    out_ << "</CellData>\n<Points>\n";
+    points();
+    out_ << "</Points>\n<Lines>\n";
+    lines();
+    out_ << "</Lines>\n<Polys>\n";
+    polys();
+    out_ << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  }
+
+ private:
+  using Int = std::int64_t;
+
+  void field_data() {
+    governors();
+    solid();
+    undecided();
+    DataArray<std::uint8_t>(out_, "certified", 1).put(result_.certified ? 1 : 0);
+    DataArray<std::uint64_t>(out_, "seed", 1).put(result_.seed);
+  }
+
+  void governors() {
+    std::size_t all = 0;
+    {
+      DataArray<Int> array(out_, "governor_offset", k_.vertex.size() + 1);
+      array.put(0);
+      for (const ComplexVertex& v : k_.vertex) array.put(all += v.governors.size());
+    }
+    DataArray<Int> array(out_, "governor", all);
+    for (const ComplexVertex& v : k_.vertex) {
+      for (const SiteId s : v.governors) array.put(s.value);
+    }
+  }
+
+  void solid() {
+    {
+      DataArray<Int> array(out_, "site_counts", 3);
+      array.put(solid_.point.size());
+      array.put(solid_.edge.size());
+      array.put(solid_.triangle.size());
+    }
+    {
+      DataArray<double> array(out_, "solid_points", solid_.point.size(), 3);
+      for (const Point3& p : solid_.point) array.put(solid_.frame.to_model(p));
+    }
+    {
+      DataArray<Int> array(out_, "solid_edges", solid_.edge.size(), 2);
+      for (const SolidEdge& e : solid_.edge) {
+        for (const std::uint32_t v : e.vertex) array.put(v);
+      }
+    }
+    DataArray<Int> array(out_, "solid_triangles", solid_.triangle.size(), 3);
+    for (const SolidTriangle& t : solid_.triangle) {
+      for (const std::uint32_t v : t.vertex) array.put(v);
+    }
+  }
+
+  void undecided() {
+    {
+      DataArray<double> array(out_, "undecided_box", result_.undecided.size(), 6);
+      for (const UndecidedCell& cell : result_.undecided) {
+        array.put(cell.box.lo);
+        array.put(cell.box.hi);
+      }
+    }
+    DataArray<std::uint8_t> array(out_, "undecided_reason", result_.undecided.size());
+    for (const UndecidedCell& cell : result_.undecided) array.put(cell.reason);
+  }
+
+  void point_data() {
+    {
+      DataArray<double> array(out_, "radius", k_.vertex.size());
+      for (const ComplexVertex& v : k_.vertex) array.put(v.radius);
+    }
+    {
+      DataArray<std::uint8_t> array(out_, "on_axis", k_.vertex.size());
+      for (const ComplexVertex& v : k_.vertex) array.put(v.on_axis ? 1 : 0);
+    }
+    DataArray<std::uint8_t> array(out_, "kind", k_.vertex.size());
+    for (const ComplexVertex& v : k_.vertex) array.put(v.kind);
+  }
+
+  /// Cells are the lines, then the triangles. `of_line` and `of_triangle` give the values.
+  template <class T, class OfLine, class OfTriangle>
+  void cell_array(std::string_view name, OfLine of_line, OfTriangle of_triangle) {
+    DataArray<T> array(out_, name, line_.size() + k_.triangle.size());
+    for (const std::uint32_t e : line_) array.put(of_line(e));
+    for (std::size_t t = 0; t < k_.triangle.size(); ++t) array.put(of_triangle(t));
+  }
+
+  void cell_data() {
+    const Parts& parts = result_.parts;
+    const auto seam = [&](std::size_t e) -> std::int32_t {
+      const bool is_seam = e < parts.edge_seam.size() && parts.edge_seam[e] != Parts::kNoSeam;
+      return is_seam ? static_cast<std::int32_t>(parts.edge_seam[e]) : -1;
+    };
+    const auto sheet = [&](std::size_t t) -> std::int32_t {
+      return t < parts.triangle_sheet.size() ? static_cast<std::int32_t>(parts.triangle_sheet[t])
+                                             : -1;
+    };
+    const auto none = [](std::size_t) { return -1; };
+    cell_array<std::int32_t>("sheet", none, sheet);
+    cell_array<std::int32_t>("seam", seam, none);
+
+    // A rim or convex edge belongs to one triangle and takes its governors.
+    std::vector<const ComplexTriangle*> beside(k_.edge.size(), nullptr);
+    for (const ComplexTriangle& t : k_.triangle) {
+      for (const std::uint32_t e : t.edge) beside[e] = &t;
+    }
+    for (const std::size_t side : {0u, 1u}) {
+      cell_array<Int>(
+          side == 0 ? "governor_a" : "governor_b",
+          [&](std::size_t e) -> Int {
+            const bool alone = seam(e) < 0 && beside[e] != nullptr;
+            return alone ? static_cast<Int>(beside[e]->governors[side].value) : -1;
+          },
+          [&](std::size_t t) -> Int { return k_.triangle[t].governors[side].value; });
+    }
+  }
+
+  void points() {
+    DataArray<double> array(out_, "Points", k_.vertex.size(), 3);
+    for (const ComplexVertex& v : k_.vertex) array.put(v.position);
+  }
+
+  void lines() {
+    {
+      DataArray<Int> array(out_, "connectivity", 2 * line_.size());
+      for (const std::uint32_t e : line_) {
+        for (const std::uint32_t v : k_.edge[e].vertex) array.put(v);
+      }
+    }
+    offsets(line_.size(), 2);
+  }
+
+  void polys() {
+    {
+      DataArray<Int> array(out_, "connectivity", 3 * k_.triangle.size());
+      for (const ComplexTriangle& t : k_.triangle) {
+        for (const std::uint32_t v : corners(k_, t)) array.put(v);
+      }
+    }
+    offsets(k_.triangle.size(), 3);
+  }
+
+  void offsets(std::size_t cells, std::size_t corners_each) {
+    DataArray<Int> array(out_, "offsets", cells);
+    for (std::size_t i = 1; i <= cells; ++i) array.put(i * corners_each);
+  }
+
+  OutputStream& out_;
+  const MedialResult& result_;
+  const CellComplex& k_;
+  const Solid& solid_;
+  std::vector<std::uint32_t> line_;
+};
+
+}  // namespace
+
+void put_vtp(OutputStream& out, const MedialResult& result, const Solid& solid) {
+  VtpWriter(out, result, solid).write();
+}
+
+}  // namespace blum::detail

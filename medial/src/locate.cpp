@@ -1,0 +1,152 @@
+#include "locate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "blum/kernel/closest_point.hpp"
+
+namespace blum {
+namespace {
+
+struct Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  Point3 foot;
+};
+
+Nearest nearest(const SiteGeometry& geometry, std::span<const SiteId> sites, const Point3& x) {
+  Nearest best;
+  for (const SiteId s : sites) {
+    const Point3 y = closest_point(geometry, s, x);
+    const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
+    if (d < best.distance) best = {d, y};
+  }
+  return best;
+}
+
+}  // namespace
+
+Placed Locator::anywhere(const Point3& x, std::span<const SiteId> candidates) const {
+  Placed p;
+  p.position = x;
+  p.radius = nearest(geometry_, candidates, x).distance;
+  for (const SiteId s : candidates)
+    if (distance_estimate(geometry_, s, x) <= p.radius + kTieTolerance) p.governors.push_back(s);
+  return p;
+}
+
+Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
+                    std::span<const SiteId> candidates) {
+  const auto at = [&](double t) { return point_on(line.axis, t, line.u, line.v); };
+  double lo = breakpoint.lo, hi = breakpoint.hi;
+  const auto groups = engine_.tie_groups(candidates, at(lo), at(hi));
+  if (groups.size() != 2) {
+    Placed p = anywhere(at(0.5 * lo + 0.5 * hi), candidates);
+    p.on_axis = p.governors.size() > 1 && hi - lo <= 4 * kTieTolerance;
+    return p;
+  }
+  const auto gap = [&](double t) {
+    return nearest(geometry_, groups[0], at(t)).distance -
+           nearest(geometry_, groups[1], at(t)).distance;
+  };
+  // The gap is monotone on the isolating interval (that is how it was isolated): bisection.
+  const bool rises = gap(lo) < gap(hi);
+  for (int k = 0; k < 200; ++k) {
+    const double m = 0.5 * lo + 0.5 * hi;
+    if (!(m > lo && m < hi)) break;
+    ((gap(m) > 0) == rises ? hi : lo) = m;
+  }
+  const double t = 0.5 * lo + 0.5 * hi;
+  Placed p = anywhere(at(t), candidates);
+  p.on_axis = std::abs(gap(t)) <= kTieTolerance;
+  return p;
+}
+
+Placed Locator::event(const Rect& rect, const FaceNode& node,
+                      std::span<const SiteId> candidates) {
+  const int ua = u_axis(rect.axis), va = v_axis(rect.axis);
+  const auto at = [&](double u, double v) { return point_on(rect.axis, rect.level, u, v); };
+  double u = 0.5 * node.u0 + 0.5 * node.u1, v = 0.5 * node.v0 + 0.5 * node.v1;
+  const auto groups = engine_.tie_groups(candidates, at(node.u0, node.v0), at(node.u1, node.v1));
+  double worst = std::numeric_limits<double>::infinity();
+  if (groups.size() >= 2) {
+    // Gauss-Newton on the differences to the first group's distance.
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const Point3 x = at(u, v);
+      std::array<double, 3> normal{};  // J^T J as uu, uv, vv
+      std::array<double, 2> rhs{};
+      const Nearest first = nearest(geometry_, groups[0], x);
+      worst = 0;
+      for (std::size_t g = 1; g < groups.size(); ++g) {
+        const Nearest other = nearest(geometry_, groups[g], x);
+        const double gap = first.distance - other.distance;
+        worst = std::max(worst, std::abs(gap));
+        const double gu = (x[ua] - first.foot[ua]) / first.distance -
+                          (x[ua] - other.foot[ua]) / other.distance;
+        const double gv = (x[va] - first.foot[va]) / first.distance -
+                          (x[va] - other.foot[va]) / other.distance;
+        normal[0] += gu * gu;
+        normal[1] += gu * gv;
+        normal[2] += gv * gv;
+        rhs[0] += gu * gap;
+        rhs[1] += gv * gap;
+      }
+      if (worst < 1e-15) break;
+      const double damping = 1e-14 * (normal[0] + normal[2]) + 1e-300;
+      const double a = normal[0] + damping, c = normal[2] + damping;
+      const double det = a * c - normal[1] * normal[1];
+      if (!(det > 0)) break;
+      u = std::clamp(u - (c * rhs[0] - normal[1] * rhs[1]) / det, node.u0, node.u1);
+      v = std::clamp(v - (a * rhs[1] - normal[1] * rhs[0]) / det, node.v0, node.v1);
+    }
+  }
+  Placed p = anywhere(at(u, v), candidates);
+  p.on_axis = worst <= kTieTolerance;
+  return p;
+}
+
+Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const SiteId> candidates) {
+  const Solid& solid = geometry_.solid();
+  const SiteIndex& index = geometry_.index();
+  std::vector<std::uint32_t> edges;
+  for (const SiteId s : node.governors)
+    if (index.kind(s) == SiteKind::kEdge) edges.push_back(index.element(s));
+  const auto direction = [&](std::uint32_t e) {
+    const Point3 &a = solid.point[solid.edge[e].vertex[0]], &b = solid.point[solid.edge[e].vertex[1]];
+    return Point3{b.x - a.x, b.y - a.y, b.z - a.z};
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const Point3 a = direction(edges[i]), b = direction(edges[j]);
+      const Point3 r{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+      if (r[rect.axis] == 0) continue;
+      for (const auto p : solid.edge[edges[i]].vertex)
+        for (const auto q : solid.edge[edges[j]].vertex) {
+          if (p != q) continue;
+          const Point3& o = solid.point[p];
+          const double t = (rect.level - o[rect.axis]) / r[rect.axis];
+          Placed placed = anywhere({o.x + t * r.x, o.y + t * r.y, o.z + t * r.z}, candidates);
+          placed.position[rect.axis] = rect.level;
+          placed.on_axis = true;
+          return placed;
+        }
+    }
+  return anywhere(point_on(rect.axis, rect.level, 0.5 * (node.u0 + node.u1),
+                           0.5 * (node.v0 + node.v1)), candidates);
+}
+
+Placed Locator::convex_edge(const Rect& rect, const FaceNode& node) const {
+  const Solid& solid = geometry_.solid();
+  const auto& ends = solid.edge[node.boundary_edge].vertex;
+  const Point3 &a = solid.point[ends[0]], &b = solid.point[ends[1]];
+  const double s = (rect.level - a[rect.axis]) / (b[rect.axis] - a[rect.axis]);
+  Placed p;
+  for (int k = 0; k < 3; ++k) p.position[k] = a[k] + s * (b[k] - a[k]);
+  p.position[rect.axis] = rect.level;
+  p.on_axis = true;
+  p.governors = node.governors;
+  return p;
+}
+
+}  // namespace blum

@@ -1,0 +1,132 @@
+#include "blum/medial/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "blum/kernel/check.hpp"
+#include "blum/kernel/site.hpp"
+
+namespace blum {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order of the schema
+
+constexpr std::size_t kMostUndecidedListed = 1000;
+constexpr std::size_t kMostUndecidedInText = 5;
+
+Json coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+Json undecided_cells(const std::vector<UndecidedCell>& cells) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(cells.size(), kMostUndecidedListed); ++i) {
+    list.push_back({{"reason", undecided_reason_name(cells[i].reason)},
+                    {"lo", coordinates(cells[i].box.lo)},
+                    {"hi", coordinates(cells[i].box.hi)}});
+  }
+  return list;
+}
+
+/// printf with its own memory: 40 formats read better here than as streams.
+template <class... Values>
+void append(std::string& text, const char* format, Values... values) {
+  std::array<char, 512> line;
+  const int length = std::snprintf(line.data(), line.size(), format, values...);
+  if (length > 0) text.append(line.data(), std::min<std::size_t>(length, line.size() - 1));
+}
+
+/// "n word" or "n words".
+std::string counted(std::size_t n, std::string_view word) {
+  return std::to_string(n) + ' ' + std::string(word) + (n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string summary_json(const SummaryInput& input) {
+  BLUM_CHECK(input.solid != nullptr && input.result != nullptr);
+  const MedialResult& r = *input.result;
+  const SiteCounts sites = count_sites(*input.solid);
+  Json json = {
+      {"model", input.model},
+      {"sites", {{"vertices", sites.vertices}, {"edges", sites.edges}, {"faces", sites.faces}}},
+      {"solid", {{"betti", r.solid_betti}}},
+      {"result",
+       {{"mode", "medial"},
+        {"certified", r.certified},
+        {"betti", r.certified ? Json(r.betti) : Json(nullptr)},
+        {"sheets", r.parts.sheets},
+        {"seams", r.parts.seams},
+        {"junctions", r.parts.junctions},
+        {"clusters", r.parts.clusters},
+        {"leaves", r.leaves},
+        {"max_depth", r.max_depth},
+        {"undecided_cells", r.undecided.size()},
+        {"hausdorff_bound", r.hausdorff_bound}}},
+      {"stages",
+       {{"filter", r.stages.filter}, {"extended", r.stages.extended}, {"exact", r.stages.exact}}},
+      {"time_s",
+       {{"read", input.read_s},
+        {"sites", input.sites_s},
+        {"subdivide", r.time.subdivide_s},
+        {"assemble", r.time.assemble_s},
+        {"total", input.total_s}}},
+      {"peak_memory_bytes", input.peak_memory_bytes},
+      {"seed", r.seed},
+      {"threads", r.threads},
+      {"version", input.version},
+  };
+  if (!r.undecided.empty()) json["undecided"] = undecided_cells(r.undecided);
+  // File names need not be UTF-8: bytes that are not are replaced, never a reason to fail.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string summary_text(const SummaryInput& input) {
+  BLUM_CHECK(input.solid != nullptr && input.result != nullptr);
+  const MedialResult& r = *input.result;
+  const SiteCounts sites = count_sites(*input.solid);
+  std::string text = "model      " + input.model + '\n';
+  text += "sites      " + std::to_string(sites.vertices) + " vertices, " +
+          std::to_string(sites.edges) + " edges, " + std::to_string(sites.faces) + " faces\n";
+  append(text, "solid      Betti numbers %ld %ld %ld\n", r.solid_betti[0], r.solid_betti[1],
+         r.solid_betti[2]);
+  if (r.certified) {
+    append(text, "result     certified, Betti numbers %ld %ld %ld\n", r.betti[0], r.betti[1],
+           r.betti[2]);
+  } else {
+    text += "result     NOT certified, " + counted(r.undecided.size(), "cell") + " undecided\n";
+  }
+  text += "parts      " + counted(r.parts.sheets, "sheet") + ", " + counted(r.parts.seams, "seam") +
+          ", " + counted(r.parts.junctions, "junction") + ", " +
+          counted(r.parts.clusters, "cluster") + '\n';
+  text += "cells      " + counted(r.leaves, "leaf cell") + ", deepest " +
+          counted(static_cast<std::size_t>(r.max_depth), "bisection") + '\n';
+  append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);
+
+  const double decisions =
+      static_cast<double>(r.stages.filter + r.stages.extended + r.stages.exact);
+  if (decisions > 0) {
+    append(text, "decisions  %.0f: filter %.3f %%, extended %.3f %%, exact %.3f %%\n", decisions,
+           100 * static_cast<double>(r.stages.filter) / decisions,
+           100 * static_cast<double>(r.stages.extended) / decisions,
+           100 * static_cast<double>(r.stages.exact) / decisions);
+  }
+  append(text, "time       %.3f s: read %.3f, sites %.3f, subdivide %.3f, assemble %.3f\n",
+         input.total_s, input.read_s, input.sites_s, r.time.subdivide_s, r.time.assemble_s);
+  append(text, "memory     %.1f MB at most\n", static_cast<double>(input.peak_memory_bytes) / 1e6);
+
+  for (std::size_t i = 0; i < std::min(r.undecided.size(), kMostUndecidedInText); ++i) {
+    const auto& [box, reason] = r.undecided[i];
+    append(text, "undecided  (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g): %s\n", box.lo.x, box.lo.y,
+           box.lo.z, box.hi.x, box.hi.y, box.hi.z, undecided_reason_name(reason));
+  }
+  if (r.undecided.size() > kMostUndecidedInText) {
+    text +=
+        "undecided  and " + std::to_string(r.undecided.size() - kMostUndecidedInText) + " more\n";
+  }
+  return text;
+}
+
+}  // namespace blum

@@ -1,0 +1,56 @@
+/// The homotopy criterion of one cell.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "blum/arrangement/face_diagram.hpp"
+#include "blum/kernel/site_geometry.hpp"
+
+namespace blum {
+
+enum class CellVerdict : std::uint8_t {
+  kAccepted,
+  kEuler,         ///< a component of cell ∩ O is not a ball
+  kShellInside,   ///< a whole boundary shell lies in the cell
+  kVertex,        ///< a boundary vertex at which the axis may be disconnected
+  kGraph,         ///< condition (1): the graph is not connected
+  kLabel,         ///< condition (2): a site governs two components of the complement
+  kCluster,       ///< resolving: the shape is no sheet, seam or junction
+  kFace,          ///< a face diagram could not be decided
+};
+
+/// Faces of a box in the order x low, x high, y low, y high, z low, z high.
+[[nodiscard]] Rect box_face(const Box3& box, int face);
+
+struct CellAnswer {
+  CellVerdict verdict = CellVerdict::kFace;
+  bool conical = false;                ///< accepted by Theorem B about `vertex`
+  std::uint32_t vertex = 0xffffffffu;
+  bool has_axis = false;               ///< the graph is not empty
+  bool curved_cut = false;             ///< Theorem E' joined several components of the graph
+};
+
+/// What is known of the axis near a boundary vertex; asked for vertices with convex and reflex
+/// edges only.
+using ConnectedAtVertex = std::function<bool(std::uint32_t vertex)>;
+
+/// Tests Theorem B (exactly one boundary vertex in the cell, all candidates incident to it), else
+/// Theorem C, of which Theorem A is the case without boundary. `resolve` also asks that each
+/// component of the graph has the shape of a sheet, a seam or a junction.
+/// Requires: all six diagrams decided, from the same segment diagrams along common edges.
+[[nodiscard]] CellAnswer test_cell(
+    const SiteGeometry& geometry, const Box3& box, std::span<const SiteId> candidates,
+    std::span<const std::uint32_t> triangles,
+    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
+    const ConnectedAtVertex& connected_at, bool resolve);
+
+/// Number of components of the graph on the surface of a cell with the given diagrams, convex
+/// boundary edges inside the cell not counted.
+[[nodiscard]] std::size_t graph_components(
+    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face);
+
+}  // namespace blum

@@ -1,0 +1,116 @@
+/// Subdivision of a box around a solid into leaf cells whose part of the medial axis is certified
+/// to be contractible component by component (theory section 3, Theorems A, B, C).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "blum/arrangement/diagram_engine.hpp"
+#include "blum/kernel/point.hpp"
+#include "blum/kernel/result.hpp"
+#include "blum/kernel/site_geometry.hpp"
+#include "blum/kernel/stage.hpp"
+
+namespace blum {
+
+enum class Engine : std::uint8_t { kProduction, kBrute };
+
+struct Progress {
+  std::size_t leaves = 0;      ///< accepted so far
+  double volume_fraction = 0;  ///< of the box, accepted so far
+};
+
+struct SubdivisionOptions {
+  std::uint64_t seed = 1;
+  Engine engine = Engine::kProduction;
+  bool resolve = false;  ///< refine until no avoidable cluster node is left
+  int max_depth = 96;    ///< bisections from the box to a leaf
+  std::size_t max_cells = 20'000'000;
+  double time_limit_s = 0;  ///< 0: none
+  /// Called now and then; returning false interrupts the run.
+  std::function<bool(const Progress&)> on_progress;
+};
+
+enum class UndecidedReason : std::uint8_t {
+  kDepth,          ///< max_depth reached
+  kCells,          ///< max_cells reached
+  kTime,           ///< time limit reached
+  kFaceUndecided,  ///< no cutting plane in general position was found
+};
+[[nodiscard]] const char* undecided_reason_name(UndecidedReason reason);
+
+/// Why a leaf was accepted.
+enum class LeafTheorem : std::uint8_t {
+  kOutside,   ///< the cell does not meet the solid
+  kConical,   ///< Theorem B about `boundary_vertex`
+  kBoundary,  ///< Theorem C; Theorem A where the cell lies in the solid
+  kUndecided,
+};
+
+/// A node of the binary tree of cells. Leaves have axis == -1.
+struct CellNode {
+  Box3 box;
+  std::int8_t axis = -1;   ///< the children are split by x[axis] = cut
+  double cut = 0;
+  std::uint32_t child = 0;  ///< low child; the high one is child + 1
+  std::uint32_t leaf = 0;   ///< index into Subdivision::leaf, for leaves
+  std::uint16_t depth = 0;
+};
+
+struct Leaf {
+  Box3 box;
+  LeafTheorem theorem = LeafTheorem::kUndecided;
+  UndecidedReason reason = UndecidedReason::kDepth;  ///< kUndecided
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::uint32_t boundary_vertex = kNone;  ///< kConical
+  bool has_axis = false;                  ///< the graph on its surface is not empty
+  std::vector<SiteId> candidates;         ///< superset of the governors in leaf ∩ O
+  std::vector<std::uint32_t> triangles;   ///< superset of the boundary triangles that meet it
+};
+
+struct SubdivisionStats {
+  StageCounts stages;
+  std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
+  int max_depth = 0;
+  std::array<std::size_t, 8> rejected{};  ///< tested cells by CellVerdict
+};
+
+struct Subdivision {
+  std::vector<CellNode> node;  ///< node[0] is the root
+  std::vector<Leaf> leaf;
+  SubdivisionStats stats;
+  std::vector<std::shared_ptr<const FaceDiagram>> held;  ///< faces of leaves, kept in the cache
+};
+
+/// Diagrams by rectangle and segment, computed once and shared by all cells that ask.
+class DiagramCache {
+ public:
+  explicit DiagramCache(DiagramEngine& engine);
+  ~DiagramCache();
+
+  [[nodiscard]] std::shared_ptr<const FaceDiagram> face(const Solid& solid, const Rect& rect,
+                                                        std::span<const SiteId> candidates,
+                                                        std::span<const std::uint32_t> triangles);
+  [[nodiscard]] SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
+                                      std::span<const std::uint32_t> triangles);
+  /// Forgets diagrams that nobody holds.
+  void sweep();
+  [[nodiscard]] std::size_t faces_computed() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The engine a run uses, with its predicates' counts.
+class EngineSet;
+
+/// Error kInterrupted if on_progress returned false.
+[[nodiscard]] Result<Subdivision> subdivide(const SiteGeometry& geometry,
+                                            const SubdivisionOptions& options,
+                                            EngineSet& engines);
+
+}  // namespace blum
