@@ -60,6 +60,7 @@ class Assembler {
   std::vector<LeafGraph> graph_;
   std::map<std::uint32_t, std::uint32_t> boundary_vertex_;
   CellComplex complex_;
+  bool partial_ = false;  // some leaf is undecided
 };
 
 const Leaf& Assembler::donor(const Interface& i) const {
@@ -247,6 +248,8 @@ void Assembler::add_leaf(std::uint32_t index) {
         }
       }
     for (const auto& [edge, list] : ends) {
+      // Towards an undecided neighbour there is no interface, so an end may be missing.
+      if (list.size() == 1 && partial_) continue;
       BLUM_CHECK(list.size() == 2);
       ComplexEdge e;
       e.vertex = {list[0], list[1]};
@@ -328,6 +331,9 @@ void Assembler::add_leaf(std::uint32_t index) {
 
 CellComplex Assembler::run() {
   graph_.resize(subdivision_.leaf.size());
+  partial_ = std::ranges::any_of(subdivision_.leaf, [](const Leaf& l) {
+    return l.theorem == LeafTheorem::kUndecided;
+  });
   pair_cells(0);
   solve_interfaces();
   cut_lines();

@@ -59,6 +59,7 @@ class CellSurface {
   [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
   [[nodiscard]] bool shapes_are_simple();
   [[nodiscard]] bool joined_by_flow();
+  [[nodiscard]] bool pieces_are_separate();
 
   const SiteGeometry& geometry_;
   const Solid& solid_;
@@ -235,6 +236,61 @@ bool CellSurface::joined_by_flow() {
   return true;
 }
 
+bool CellSurface::pieces_are_separate() {
+  // Theorem A' (docs/proofs.md). The flow takes a piece W of R \ M into one component of the
+  // surface minus the graph. A component with a point where the flow leaves the cell takes its own
+  // piece, so two such components never share one; boundary triangles are such points. A component
+  // where no such point is known must not share a governor with any other.
+  std::unordered_map<std::uint32_t, bool> leaves;  // component -> a leaving point is certain
+  for (const auto& [t, element] : triangle_) leaves[cut_.find(element)] = true;
+  for (int f = 0; f < 6; ++f) {
+    const FaceDiagram& d = *face_[f];
+    const int outward = f % 2 == 0 ? -1 : 1;
+    for (int s = 0; s < 4; ++s)
+      for (std::size_t k = 0; k < d.side_region[s].size(); ++k) {
+        const auto r = d.side_region[s][k];
+        if (r == FaceDiagram::kOutside) continue;
+        bool& known = leaves[cut_.find(region(f, r))];
+        known = known || never_leaves(geometry_, d.side[s]->interval[k].witness, d.rect, -outward);
+      }
+  }
+  struct Governed {
+    std::uint32_t component;
+    bool hidden;  // no leaving point is known in one of its components
+    bool shared;  // it governs more than one
+  };
+  std::unordered_map<std::uint64_t, Governed> governed;  // by surface and site
+  const auto separate = [&](SiteId label, std::uint32_t element) {
+    const std::uint64_t key =
+        (std::uint64_t{surface_.find(element)} << 32) | std::uint64_t{label.value};
+    const auto component = cut_.find(element);
+    const bool hidden = !leaves[component];
+    const auto [it, fresh] = governed.try_emplace(key, Governed{component, hidden, false});
+    Governed& g = it->second;
+    if (fresh || (!g.shared && g.component == component)) return true;
+    // The site governs a second component.
+    g.shared = true;
+    g.hidden = g.hidden || hidden;
+    return !g.hidden;
+  };
+  for (int f = 0; f < 6; ++f)
+    for (std::uint32_t i = 0; i < face_[f]->region.size(); ++i)
+      for (const SiteId label : face_[f]->region[i].labels)
+        if (!separate(label, region(f, i))) return false;
+  const SiteIndex& index = geometry_.index();
+  for (const auto& [t, element] : triangle_)
+    if (!separate(index.face(t), element)) return false;
+  for (const auto& [e, nodes] : edge_)
+    if (solid_.edge[e].kind == EdgeKind::kReflex &&
+        !separate(index.edge(e), triangle_.at(solid_.edge[e].triangle[0])))
+      return false;
+  for (const auto v : vertex_)
+    if (!vertex_node_.contains(v) &&
+        !separate(index.vertex(v), triangle_.at(solid_.triangles_at(v).front())))
+      return false;
+  return true;
+}
+
 CellAnswer CellSurface::conical(std::uint32_t vertex, bool) {
   CellAnswer r;
   r.conical = true;
@@ -335,29 +391,8 @@ CellAnswer CellSurface::test(bool resolve) {
     r.curved_cut = true;
   }
 
-  // (2) No site governs two components of one surface minus the graph.
-  std::unordered_map<std::uint64_t, std::uint32_t> governed;
-  const auto governs = [&](SiteId label, std::uint32_t element) {
-    const std::uint64_t key =
-        (std::uint64_t{surface_.find(element)} << 32) | std::uint64_t{label.value};
-    const auto [it, fresh] = governed.try_emplace(key, cut_.find(element));
-    return fresh || it->second == cut_.find(element);
-  };
-  for (int f = 0; f < 6; ++f)
-    for (std::uint32_t i = 0; i < face_[f]->region.size(); ++i)
-      for (const SiteId label : face_[f]->region[i].labels)
-        if (!governs(label, region(f, i))) return verdict(CellVerdict::kLabel);
-  const SiteIndex& index = geometry_.index();
-  for (const auto& [t, element] : triangle_)
-    if (!governs(index.face(t), element)) return verdict(CellVerdict::kLabel);
-  for (const auto& [e, nodes] : edge_)
-    if (solid_.edge[e].kind == EdgeKind::kReflex &&
-        !governs(index.edge(e), triangle_.at(solid_.edge[e].triangle[0])))
-      return verdict(CellVerdict::kLabel);
-  for (const auto v : vertex_)
-    if (!vertex_node_.contains(v) &&
-        !governs(index.vertex(v), triangle_.at(solid_.triangles_at(v).front())))
-      return verdict(CellVerdict::kLabel);
+  // (2) A piece of the solid minus the axis meets the surface in one component only.
+  if (!pieces_are_separate()) return verdict(CellVerdict::kLabel);
   if (resolve && !shapes_are_simple()) return verdict(CellVerdict::kCluster);
   return verdict(CellVerdict::kAccepted);
 }

@@ -10,6 +10,7 @@
 #include "blum/kernel/closest_point.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
+#include "common_point.hpp"
 
 namespace blum {
 
@@ -53,6 +54,8 @@ class Subdivider {
   [[nodiscard]] std::optional<CellAnswer> test(const Cell& cell);
   [[nodiscard]] bool split(Cell& cell, bool validate);
   [[nodiscard]] bool connected_at(std::uint32_t vertex);
+  [[nodiscard]] bool one_junction(const Cell& cell,
+                                  const std::array<std::shared_ptr<const FaceDiagram>, 6>& face);
   void close(const Cell& cell, Leaf leaf);
   [[nodiscard]] double jitter(double lo, double hi, int axis, int attempt) const;
 
@@ -148,10 +151,27 @@ std::optional<CellAnswer> Subdivider::test(const Cell& cell) {
   CellAnswer a = test_cell(
       geometry_, box, cell.candidates, cell.triangles, face,
       [this](std::uint32_t v) { return connected_at(v); }, resolve);
+  // A cluster that is one degenerate junction cannot be refined away.
+  if (a.verdict == CellVerdict::kCluster && one_junction(cell, face))
+    a.verdict = CellVerdict::kAccepted;
   ++result_.stats.rejected[static_cast<int>(a.verdict)];
   if (a.verdict == CellVerdict::kAccepted)
     result_.held.insert(result_.held.end(), face.begin(), face.end());
   return a;
+}
+
+bool Subdivider::one_junction(const Cell& cell,
+                              const std::array<std::shared_ptr<const FaceDiagram>, 6>& face) {
+  std::vector<SiteId> labels;
+  for (const auto& d : face)
+    for (const FaceRegion& r : d->region)
+      labels.insert(labels.end(), r.labels.begin(), r.labels.end());
+  for (const auto t : cell.triangles) labels.push_back(geometry_.index().face(t));
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  const Box3& box = result_.node[cell.node].box;
+  const auto groups = engines_.production().tie_groups(labels, box.lo, box.hi);
+  return groups.size() >= 4 && common_point(geometry_, groups, box).has_value();
 }
 
 bool Subdivider::connected_at(std::uint32_t vertex) {
@@ -282,7 +302,7 @@ Result<Subdivision> Subdivider::run() {
       leaf.reason = reason;
       close(cell, std::move(leaf));
     };
-    if ((++steps & 63u) == 0) {
+    if ((++steps & 7u) == 0 || options_.time_limit_s > 0) {
       const double elapsed =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (options_.on_progress && !options_.on_progress({result_.leaf.size(), done_}))

@@ -1,0 +1,25 @@
+/// The subcommands: each adds itself to the command line and returns what runs it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace blum::app {
+
+/// Runs after the command line is parsed; returns an exit code (exit_code.hpp).
+using Command = std::function<int()>;
+
+/// Digits only: CLI11 2.1 reads "-1" as the largest unsigned number.
+inline const CLI::Validator kDigits(
+    [](std::string& text) {
+      const bool is_good = text.find_first_not_of("0123456789") == std::string::npos;
+      return is_good ? std::string() : "not a whole number from 0: " + text;
+    },
+    "", "digits");
+
+[[nodiscard]] Command add_info_command(CLI::App& app);
+[[nodiscard]] Command add_make_command(CLI::App& app);
+[[nodiscard]] Command add_medial_command(CLI::App& app);
+
+}  // namespace blum::app

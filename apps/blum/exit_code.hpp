@@ -1,0 +1,16 @@
+/// The exit codes of `blum`, part of its public interface (README.md lists them).
+#pragma once
+
+namespace blum::app {
+
+enum ExitCode : int {
+  kSuccess = 0,
+  kUsage = 1,
+  kInput = 2,
+  kNotCertified = 3,
+  kInternal = 4,
+  kOutput = 5,
+  kSignalBase = 128,  ///< plus the signal: 130 for SIGINT, 143 for SIGTERM
+};
+
+}  // namespace blum::app

@@ -1,0 +1,62 @@
+// The `blum` command line: parses, calls the library, prints. All the mathematics is elsewhere.
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+
+namespace blum::app {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  blum make plate 2 6 -o plate.off        a plate with two hexagonal holes
+  blum info plate.off                     is it a solid? what kind of?
+  blum medial plate.off -o out/plate      out/plate.ma, .vtp, .obj: the medial axis
+  blum medial plate.off --resolve --summary plate.json
+
+Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
+4 internal error, 5 output could not be written, 130 and 143 interrupted.)";
+
+int run(int argc, char** argv) {
+  CLI::App app("Blum: certified medial axes of polyhedral solids.", "blum");
+  app.set_version_flag("--version", "blum " BLUM_VERSION);
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  const Command info = add_info_command(app), make = add_make_command(app),
+                medial = add_medial_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kUsage;
+  }
+  catch_interrupts();
+  if (app.got_subcommand("info")) return info();
+  if (app.got_subcommand("make")) return make();
+  return medial();
+}
+
+/// Output that did not reach stdout (a full disk, say) is output not written.
+int with_stdout_flushed(int code) {
+  std::cout.flush();
+  if (std::cout || code != kSuccess) return code;
+  std::cerr << "blum: error: output_not_written: standard output\n";
+  return kOutput;
+}
+
+}  // namespace
+}  // namespace blum::app
+
+int main(int argc, char** argv) {
+  try {
+    return blum::app::with_stdout_flushed(blum::app::run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::cerr << "blum: error: out_of_memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "blum: error: internal: " << error.what()
+              << "\nThis is a defect of blum, not of its input; please report it with the model.\n";
+  }
+  return blum::app::kInternal;
+}

@@ -1,0 +1,176 @@
+// `blum medial`: from a file to the certified medial axis, in files and as a summary.
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "blum/kernel/mesh.hpp"
+#include "blum/kernel/solid.hpp"
+#include "blum/kernel/validate.hpp"
+#include "blum/medial/io.hpp"
+#include "blum/medial/medial_axis.hpp"
+#include "blum/medial/summary.hpp"
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "progress_bar.hpp"
+#include "report.hpp"
+
+namespace blum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MedialArguments {
+  std::string model, prefix, summary;
+  MedialOptions options;
+};
+
+class Stopwatch {
+ public:
+  /// Seconds since the construction or the last lap.
+  double lap() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> time = now - start_;
+    start_ = now;
+    return time.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The files a run is going to write.
+std::vector<fs::path> outputs(const MedialArguments& arguments) {
+  std::vector<fs::path> files;
+  for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
+  if (!arguments.summary.empty()) files.emplace_back(arguments.summary);
+  return files;
+}
+
+/// Finds out before the work whether its result can be kept. (The writers check again.)
+std::optional<Error> output_problem(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    std::error_code ignored;
+    const char* problem = nullptr;
+    if (!fs::is_directory(folder, ignored)) {
+      problem = "its folder does not exist";
+    } else if (fs::is_directory(file, ignored)) {
+      problem = "it is a directory";
+    } else if (access(folder.c_str(), W_OK) != 0) {
+      problem = "its folder is not writable";
+    }
+    if (problem != nullptr) {
+      return Error{ErrorCode::kOutputNotWritten, problem, file.string(), std::nullopt};
+    }
+  }
+  return std::nullopt;
+}
+
+int interrupted() {
+  std::cerr << "blum: interrupted\n";
+  return kSignalBase + interrupted_by();
+}
+
+int run_medial(MedialArguments arguments) {
+  if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
+  if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
+  for (const fs::path& file : outputs(arguments)) {
+    std::error_code ignored;
+    if (fs::equivalent(file, arguments.model, ignored)) {
+      return report_usage("the model would be overwritten; choose another name with -o");
+    }
+  }
+
+  Stopwatch total, phase;
+  SummaryInput summary;
+  summary.model = arguments.model;
+  summary.version = BLUM_VERSION;
+  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  if (!mesh) return report(mesh.error());
+  summary.read_s = phase.lap();
+  const Result<Solid> solid = build_solid(mesh.value());
+  if (!solid) {
+    return solid.error().code == ErrorCode::kInvalidSolid
+               ? report_invalid(arguments.model, validate_mesh(mesh.value()))
+               : report(solid.error());
+  }
+  summary.sites_s = phase.lap();
+  for (const std::string& warning : solid.value().warnings) {
+    std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
+  }
+  if (const auto problem = output_problem(outputs(arguments))) return report(*problem);
+
+  const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
+  const auto compute = [&] {
+    ProgressBar bar;
+    arguments.options.on_progress = [&bar](const Progress& progress) {
+      bar.show(progress);
+      return interrupted_by() == 0;
+    };
+    return compute_medial_axis(solid.value(), arguments.options);
+  };
+  const Result<MedialResult> result = compute();
+  if (interrupted_by() != 0) return interrupted();
+  if (!result) return report(result.error());
+
+  summary.solid = &solid.value();
+  summary.result = &result.value();
+  summary.total_s = total.lap();
+  summary.peak_memory_bytes = peak_memory_bytes();
+  std::vector<TextFile> texts;
+  if (!arguments.summary.empty()) texts.push_back({arguments.summary, summary_json(summary)});
+  if (const auto error = write_medial(result.value(), solid.value(), arguments.prefix, texts)) {
+    return report(*error);
+  }
+  std::cout << summary_text(summary);
+  for (const fs::path& file : outputs(arguments)) std::cout << "wrote " << file.string() << '\n';
+  return result.value().certified ? kSuccess : kNotCertified;
+}
+
+}  // namespace
+
+Command add_medial_command(CLI::App& app) {
+  CLI::App* medial = app.add_subcommand("medial", "Compute the certified medial axis of a solid");
+  const auto arguments = std::make_shared<MedialArguments>();
+  MedialOptions& options = arguments->options;
+  medial->add_option("MODEL", arguments->model, "OFF, OBJ, STL or PLY")->required();
+  medial->add_option("-o,--output", arguments->prefix,
+                     "PREFIX of the files written (default: the model's name, here)");
+  medial->add_option("--summary", arguments->summary, "Write the summary as JSON to this file");
+  medial->add_option("--seed", options.seed, "Seed of the cutting planes")
+      ->check(kDigits)
+      ->capture_default_str();
+  medial->add_flag("--resolve", options.resolve,
+                   "Refine until no avoidable cluster node is left (for counting sheets)");
+  medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
+          {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
+      ->default_str("production");
+  medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  medial->add_option("--max-cells", options.max_cells, "Cells to look at")
+      ->check(kDigits)
+      ->capture_default_str();
+  medial->add_option("--time-limit", options.time_limit_s, "Seconds of subdivision; 0: no limit")
+      ->capture_default_str();
+  medial->add_option("--threads", options.threads, "The result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  medial->footer(
+      R"(Writes PREFIX.ma (text), PREFIX.vtp (ParaView) and PREFIX.obj. Cells that the budget
+(--max-depth, --max-cells, --time-limit) leaves undecided are reported, with exit code 3.
+
+Examples:
+  blum medial part.stl
+  blum medial part.stl -o out/part --summary out/part.json --time-limit 60)");
+  return [arguments] { return run_medial(*arguments); };
+}
+
+}  // namespace blum::app

@@ -1,0 +1,73 @@
+// Whole runs: torus 8x4, 16x8, 32x16 and a few CAD shapes, with time by phase, decisions by stage,
+// leaves and peak memory as counters. `compare.py --growth RUN.json` fits the exponent of growth.
+//
+// One iteration each: a run is long and deterministic. Peak memory is that of the process so far,
+// so it means something for the first and for the largest run, or with --benchmark_filter.
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <string>
+
+#include "blum/kernel/shapes.hpp"
+#include "blum/medial/medial_axis.hpp"
+#include "blum/medial/summary.hpp"
+
+namespace {
+
+constexpr double kTimeLimit_s = 900;
+
+void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& make) {
+  const blum::Result<blum::Solid> solid = blum::build_solid(make());
+  if (!solid) {
+    state.SkipWithError(solid.error().message.c_str());
+    return;
+  }
+  blum::MedialOptions options;
+  options.time_limit_s = kTimeLimit_s;
+  for (auto _ : state) {
+    const blum::Result<blum::MedialResult> result =
+        blum::compute_medial_axis(solid.value(), options);
+    if (!result) {
+      state.SkipWithError(result.error().message.c_str());
+      return;
+    }
+    const blum::MedialResult& r = result.value();
+    const auto count = [&](const char* name, auto value) {
+      state.counters[name] = static_cast<double>(value);
+    };
+    count("faces", solid.value().triangle.size());
+    count("certified", r.certified ? 1 : 0);
+    count("undecided", r.undecided.size());
+    count("leaves", r.leaves);
+    count("max_depth", r.max_depth);
+    count("triangles", r.complex.triangle.size());
+    count("subdivide_s", r.time.subdivide_s);
+    count("assemble_s", r.time.assemble_s);
+    count("filter", r.stages.filter);
+    count("extended", r.stages.extended);
+    count("exact", r.stages.exact);
+    count("peak_bytes", blum::peak_memory_bytes());
+  }
+}
+
+void add(const std::string& name, std::function<blum::PolygonMesh()> make) {
+  benchmark::RegisterBenchmark(name.c_str(), medial, std::move(make))
+      ->Iterations(1)
+      ->Unit(benchmark::kSecond);
+}
+
+const bool kRegistered = [] {
+  using namespace blum::shapes;
+  add("medial/box", [] { return cuboid(4, 3, 2); });
+  add("medial/lbracket", [] { return lbracket(); });
+  add("medial/lbracket_rotated", [] { return rotate_rounded(lbracket(), 1); });
+  add("medial/plate_2_holes", [] { return plate(2, 8); });
+  for (const int n : {8, 16, 32}) {
+    add("medial/torus/" + std::to_string(n) + "x" + std::to_string(n / 2),
+        [n] { return torus(n, n / 2, 2, 0.75); });
+  }
+  return true;
+}();
+
+}  // namespace
