@@ -1,7 +1,9 @@
 // `blum medial`: from a file to the certified medial axis, in files and as a summary.
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -26,8 +28,19 @@ namespace fs = std::filesystem;
 
 struct MedialArguments {
   std::string model, prefix, summary;
+  double epsilon = 0;  // of the diagonal
   MedialOptions options;
 };
+
+double diagonal(const PolygonMesh& mesh) {
+  Point3 lo = mesh.points.front(), hi = lo;
+  for (const Point3& p : mesh.points)
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], p[k]);
+      hi[k] = std::max(hi[k], p[k]);
+    }
+  return std::hypot(hi.x - lo.x, hi.y - lo.y, hi.z - lo.z);
+}
 
 class Stopwatch {
  public:
@@ -78,6 +91,7 @@ int interrupted() {
 }
 
 int run_medial(MedialArguments arguments) {
+  if (!(arguments.epsilon >= 0)) return report_usage("--epsilon: not a length");
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
   for (const fs::path& file : outputs(arguments)) {
@@ -104,6 +118,7 @@ int run_medial(MedialArguments arguments) {
   for (const std::string& warning : solid.value().warnings) {
     std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
   }
+  arguments.options.max_leaf_diameter = arguments.epsilon * diagonal(mesh.value());
   if (const auto problem = output_problem(outputs(arguments))) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
@@ -148,6 +163,10 @@ Command add_medial_command(CLI::App& app) {
       ->capture_default_str();
   medial->add_flag("--resolve", options.resolve,
                    "Refine until no avoidable cluster node is left (for counting sheets)");
+  medial->add_option("--epsilon", arguments->epsilon,
+                     "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
+                     "the diagonal; 0: as coarse as the topology allows")
+      ->capture_default_str();
   medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
           {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
@@ -160,7 +179,7 @@ Command add_medial_command(CLI::App& app) {
       ->capture_default_str();
   medial->add_option("--time-limit", options.time_limit_s, "Seconds of subdivision; 0: no limit")
       ->capture_default_str();
-  medial->add_option("--threads", options.threads, "The result does not depend on it")
+  medial->add_option("--threads", options.threads, "How many may be used; this version uses one")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   medial->footer(
@@ -169,6 +188,7 @@ Command add_medial_command(CLI::App& app) {
 
 Examples:
   blum medial part.stl
+  blum medial part.stl --resolve --epsilon 0.05
   blum medial part.stl -o out/part --summary out/part.json --time-limit 60)");
   return [arguments] { return run_medial(*arguments); };
 }

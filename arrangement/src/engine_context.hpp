@@ -22,6 +22,7 @@ struct EngineContext {
   Predicates predicates;
   std::uint64_t seed;
   EngineCounts counts;
+  bool part_clusters = false;
 
   /// Predicates::never_essential and unit_difference, remembered.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blum/arrangement/common_point.hpp"
 #include "blum/kernel/check.hpp"
 
 namespace blum {
@@ -379,10 +380,33 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
     if (separator_count > 0 && (separator_count != run_count || run_count < 2)) return false;
     separators.push_back(separator_count);
   }
-  if (groups.count > 1 && !directions_exist(forms, groups, range_of(box))) return false;
+  const Range range = range_of(box);
+  if (groups.count > 1 && !directions_exist(forms, groups, range)) return false;
+  if (context_.part_clusters && range.radius() > ProductionEngine::kSmallestCluster) {
+    for (std::size_t c = 0; c < border.circle.size(); ++c)
+      if (separators[c] >= 4 && !meet_in_one_point(box, forms, groups, border.circle[c]))
+        return false;
+  }
   for (std::size_t c = 0; c < border.circle.size(); ++c)
     record(border.circle[c], forms, groups, box, separators[c]);
   return true;
+}
+
+bool FaceEngine::meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
+                                   const Groups& groups, const Circle& circle) {
+  std::vector<std::vector<SiteId>> sites(groups.count);
+  for (const Step& s : circle)
+    if (s.kind == Step::Kind::kInterval || s.kind == Step::Kind::kTrace) {
+      const auto g = groups.find(forms, s.label);
+      if (!sites[g].empty()) continue;
+      for (std::size_t i = 0; i < forms.size(); ++i)
+        if (groups.of[i] == g) sites[g].push_back(forms[i].site);
+    }
+  std::erase_if(sites, [](const auto& g) { return g.empty(); });
+  const Rect& r = problem_.rect;
+  return common_point(context_.geometry, sites, point_on(r.axis, r.level, box.u0, box.v0),
+                      point_on(r.axis, r.level, box.u1, box.v1))
+             .gap <= kCommonTolerance;
 }
 
 bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms,

@@ -68,6 +68,9 @@ class FaceEngine {
   [[nodiscard]] bool accept(const Box& box, std::span<const LocalForm> forms, const Border& border);
   [[nodiscard]] bool accept_rim(const Box& box, std::span<const LocalForm> forms,
                                 const Border& border);
+  /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
+  [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
+                                       const Groups& groups, const Circle& circle);
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
                                       const Range& range);
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,

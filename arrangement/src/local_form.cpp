@@ -136,12 +136,12 @@ bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const L
 }
 
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out) {
+           std::vector<LocalForm>& out, double hint) {
   out.clear();
   const double radius = range.radius();
   // Upper bound on the distance at the centre: from carriers whose foot is certainly in the site,
   // else from a point of the site.
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = hint;
   LocalForm form;
   for (const SiteId s : candidates) {
     if (!local_form(geometry, s, range, form)) continue;

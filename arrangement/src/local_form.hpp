@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -50,8 +51,10 @@ struct LocalForm {
 
 /// Keeps those candidates that may govern a point of the range (inside the solid): by domains, by
 /// distance bounds (thesis section 5.4.2), by comparison with candidates that cover the range.
-/// Order is kept.
+/// Order is kept. `hint`: an upper bound on the distance from the centre to the boundary, known
+/// from elsewhere.
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out);
+           std::vector<LocalForm>& out,
+           double hint = std::numeric_limits<double>::infinity());
 
 }  // namespace blum

@@ -1,5 +1,8 @@
 #include "blum/arrangement/production_engine.hpp"
 
+#include <limits>
+
+#include "blum/arrangement/brute_engine.hpp"
 #include "face_engine.hpp"
 #include "segment_engine.hpp"
 
@@ -7,12 +10,15 @@ namespace blum {
 
 struct ProductionEngine::Impl {
   EngineContext context;
-  Impl(const SiteGeometry& g, const InsideOracle& i, std::uint64_t seed) : context(g, i, seed) {}
+  Impl(const SiteGeometry& g, const InsideOracle& i, std::uint64_t seed, bool part_clusters)
+      : context(g, i, seed) {
+    context.part_clusters = part_clusters;
+  }
 };
 
 ProductionEngine::ProductionEngine(const SiteGeometry& geometry, const InsideOracle& inside,
-                                   std::uint64_t seed)
-    : impl_(std::make_unique<Impl>(geometry, inside, seed)) {}
+                                   std::uint64_t seed, bool part_clusters)
+    : impl_(std::make_unique<Impl>(geometry, inside, seed, part_clusters)) {}
 ProductionEngine::~ProductionEngine() = default;
 ProductionEngine::ProductionEngine(ProductionEngine&&) noexcept = default;
 
@@ -31,9 +37,11 @@ FaceDiagram ProductionEngine::face(
 }
 
 std::vector<SiteId> ProductionEngine::prune(std::span<const SiteId> candidates, const Point3& lo,
-                                            const Point3& hi) const {
+                                            const Point3& hi, const DistanceHint& hint) const {
   std::vector<LocalForm> forms;
-  blum::prune(impl_->context.geometry, candidates, Range::of(lo, hi), forms);
+  const Range range = Range::of(lo, hi);
+  blum::prune(impl_->context.geometry, candidates, range, forms,
+              hint ? hint(range.center) : std::numeric_limits<double>::infinity());
   std::vector<SiteId> kept;
   kept.reserve(forms.size());
   for (const LocalForm& f : forms) kept.push_back(f.site);
@@ -49,6 +57,31 @@ std::vector<std::vector<SiteId>> ProductionEngine::tie_groups(std::span<const Si
   std::vector<std::vector<SiteId>> sites(groups.count);
   for (std::size_t i = 0; i < forms.size(); ++i) sites[groups.of[i]].push_back(forms[i].site);
   return sites;
+}
+
+void ProductionEngine::decide_clusters(const FaceProblem& problem, FaceDiagram& diagram) const {
+  for (FaceNode& node : diagram.node) {
+    if (node.exact) continue;
+    const int axis = problem.rect.axis;
+    const Rect part{axis, problem.rect.level, node.u0, node.u1, node.v0, node.v1};
+    const auto candidates = prune(problem.candidates, point_on(axis, part.level, part.u0, part.v0),
+                                  point_on(axis, part.level, part.u1, part.v1));
+    FaceProblem exact = problem;
+    exact.rect = part;
+    exact.candidates = candidates;
+    const FaceDiagram d = brute_face(exact);
+    if (d.status != FaceStatus::kDecided) continue;
+    const FaceNode* only = nullptr;
+    std::size_t events = 0;
+    for (const FaceNode& n : d.node)
+      if (n.kind == FaceNode::Kind::kEvent) {
+        ++events;
+        only = &n;
+      }
+    if (events != 1) continue;
+    node.exact = true;
+    node.governors = only->governors;
+  }
 }
 
 Predicates& ProductionEngine::predicates() { return impl_->context.predicates; }

@@ -1,10 +1,10 @@
 #include "locate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "blum/arrangement/common_point.hpp"
 #include "blum/kernel/closest_point.hpp"
 
 namespace blum {
@@ -65,44 +65,16 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
 
 Placed Locator::event(const Rect& rect, const FaceNode& node,
                       std::span<const SiteId> candidates) {
-  const int ua = u_axis(rect.axis), va = v_axis(rect.axis);
-  const auto at = [&](double u, double v) { return point_on(rect.axis, rect.level, u, v); };
-  double u = 0.5 * node.u0 + 0.5 * node.u1, v = 0.5 * node.v0 + 0.5 * node.v1;
-  const auto groups = engine_.tie_groups(candidates, at(node.u0, node.v0), at(node.u1, node.v1));
-  double worst = std::numeric_limits<double>::infinity();
-  if (groups.size() >= 2) {
-    // Gauss-Newton on the differences to the first group's distance.
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      const Point3 x = at(u, v);
-      std::array<double, 3> normal{};  // J^T J as uu, uv, vv
-      std::array<double, 2> rhs{};
-      const Nearest first = nearest(geometry_, groups[0], x);
-      worst = 0;
-      for (std::size_t g = 1; g < groups.size(); ++g) {
-        const Nearest other = nearest(geometry_, groups[g], x);
-        const double gap = first.distance - other.distance;
-        worst = std::max(worst, std::abs(gap));
-        const double gu = (x[ua] - first.foot[ua]) / first.distance -
-                          (x[ua] - other.foot[ua]) / other.distance;
-        const double gv = (x[va] - first.foot[va]) / first.distance -
-                          (x[va] - other.foot[va]) / other.distance;
-        normal[0] += gu * gu;
-        normal[1] += gu * gv;
-        normal[2] += gv * gv;
-        rhs[0] += gu * gap;
-        rhs[1] += gv * gap;
-      }
-      if (worst < 1e-15) break;
-      const double damping = 1e-14 * (normal[0] + normal[2]) + 1e-300;
-      const double a = normal[0] + damping, c = normal[2] + damping;
-      const double det = a * c - normal[1] * normal[1];
-      if (!(det > 0)) break;
-      u = std::clamp(u - (c * rhs[0] - normal[1] * rhs[1]) / det, node.u0, node.u1);
-      v = std::clamp(v - (a * rhs[1] - normal[1] * rhs[0]) / det, node.v0, node.v1);
-    }
-  }
-  Placed p = anywhere(at(u, v), candidates);
-  p.on_axis = worst <= kTieTolerance;
+  const Point3 lo = point_on(rect.axis, rect.level, node.u0, node.v0),
+               hi = point_on(rect.axis, rect.level, node.u1, node.v1);
+  const auto groups = engine_.tie_groups(candidates, lo, hi);
+  const CommonPoint c = common_point(geometry_, groups, lo, hi);
+  Placed p = anywhere(groups.size() >= 2
+                          ? c.point
+                          : point_on(rect.axis, rect.level, 0.5 * (node.u0 + node.u1),
+                                     0.5 * (node.v0 + node.v1)),
+                      candidates);
+  p.on_axis = c.gap <= kTieTolerance;
   return p;
 }
 

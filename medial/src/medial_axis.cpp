@@ -21,16 +21,17 @@ double diameter(const Box3& b) {
 }  // namespace
 
 Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options) {
-  if (options.max_depth < 0 || options.threads < 1 || options.time_limit_s < 0)
-    return Error{ErrorCode::kBadArgument, "max_depth, threads or time_limit_s out of range", "", {}};
+  if (options.max_depth < 0 || options.threads < 1 || options.time_limit_s < 0 ||
+      options.max_leaf_diameter < 0)
+    return Error{ErrorCode::kBadArgument, "max_depth, threads, time_limit_s or max_leaf_diameter out of range", "", {}};
   MedialResult result;
   result.solid_betti = solid.betti();
   result.seed = options.seed;
-  result.threads = options.threads;
+  result.threads = 1;
 
   const auto start = std::chrono::steady_clock::now();
   const SiteGeometry geometry(solid);
-  EngineSet engines(geometry, options.engine, options.seed);
+  EngineSet engines(geometry, options.engine, options.seed, options.resolve);
   Result<Subdivision> subdivided = subdivide(geometry, options, engines);
   if (!subdivided) return subdivided.error();
   const Subdivision& subdivision = subdivided.value();

@@ -27,8 +27,9 @@ class BruteEngine final : public DiagramEngine {
 
 }  // namespace
 
-EngineSet::EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed)
-    : inside_(geometry.solid()), production_(geometry, inside_, seed) {
+EngineSet::EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed,
+                     bool part_clusters)
+    : inside_(geometry.solid()), production_(geometry, inside_, seed, part_clusters) {
   if (engine == Engine::kBrute) chosen_ = std::make_unique<BruteEngine>(geometry.solid());
   cache_ = std::make_unique<DiagramCache>(chosen_ ? *chosen_ : production_);
 }

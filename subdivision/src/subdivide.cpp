@@ -6,11 +6,11 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "blum/arrangement/common_point.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/closest_point.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
-#include "common_point.hpp"
 
 namespace blum {
 
@@ -171,7 +171,8 @@ bool Subdivider::one_junction(const Cell& cell,
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   const Box3& box = result_.node[cell.node].box;
   const auto groups = engines_.production().tie_groups(labels, box.lo, box.hi);
-  return groups.size() >= 4 && common_point(geometry_, groups, box).has_value();
+  return groups.size() >= 4 &&
+         common_point(geometry_, groups, box.lo, box.hi).gap <= kCommonTolerance;
 }
 
 bool Subdivider::connected_at(std::uint32_t vertex) {
@@ -326,11 +327,16 @@ Result<Subdivision> Subdivider::run() {
       close(cell, std::move(leaf));
       continue;
     }
-    cell.candidates = engines_.production().prune(cell.candidates, node.box.lo, node.box.hi);
+    cell.candidates = engines_.production().prune(cell.candidates, node.box.lo, node.box.hi,
+                                                  options_.distance_hint);
     const bool small = cell.candidates.size() <= kMaxCandidates;
     if (small) {
       const auto answer = test(cell);
-      if (answer && answer->verdict == CellVerdict::kAccepted) {
+      const Box3 model{solid_.frame.to_model(node.box.lo), solid_.frame.to_model(node.box.hi)};
+      const bool fine = options_.max_leaf_diameter <= 0 || !answer || !answer->has_axis ||
+                        std::hypot(model.hi.x - model.lo.x, model.hi.y - model.lo.y,
+                                   model.hi.z - model.lo.z) <= options_.max_leaf_diameter;
+      if (fine && answer && answer->verdict == CellVerdict::kAccepted) {
         Leaf leaf;
         leaf.theorem = answer->conical ? LeafTheorem::kConical : LeafTheorem::kBoundary;
         leaf.boundary_vertex = answer->vertex;

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "blum/arrangement/diagram_engine.hpp"
+#include "blum/kernel/distance_hint.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/predicates.hpp"
 
@@ -29,7 +30,11 @@ struct EngineCounts {
 /// Not thread-safe: one object a thread. Answers do not depend on what was asked before.
 class ProductionEngine final : public DiagramEngine {
  public:
-  ProductionEngine(const SiteGeometry& geometry, const InsideOracle& inside, std::uint64_t seed);
+  /// part_clusters: go on subdividing where four or more groups meet, until a common point of all
+  /// is found or the part is smaller than kSmallestCluster.
+  ProductionEngine(const SiteGeometry& geometry, const InsideOracle& inside, std::uint64_t seed,
+                   bool part_clusters = false);
+  static constexpr double kSmallestCluster = 0x1p-24;  ///< working units
   ~ProductionEngine() override;
   ProductionEngine(ProductionEngine&&) noexcept;
 
@@ -41,8 +46,15 @@ class ProductionEngine final : public DiagramEngine {
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
 
   /// Sites of `candidates` that may govern a point inside the solid in [lo, hi] (closed box).
+  /// `hint`: gives an upper bound on the distance from a point to ∂O, or is empty; bounds only
+  /// save work, however good or bad they are.
   [[nodiscard]] std::vector<SiteId> prune(std::span<const SiteId> candidates, const Point3& lo,
-                                          const Point3& hi) const;
+                                          const Point3& hi, const DistanceHint& hint = {}) const;
+
+  /// Decides by exact algebra (brute_engine.hpp, on the node's own rectangle) which of the
+  /// diagram's clusters are one event: these become exact, with all their governors. The others
+  /// stay clusters: several events too close for interval arithmetic to part.
+  void decide_clusters(const FaceProblem& problem, FaceDiagram& diagram) const;
 
   /// Candidates that may govern a point inside the solid in [lo, hi], in groups whose members never
   /// tie essentially; empty where some group is not such a clique.

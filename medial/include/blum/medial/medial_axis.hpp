@@ -15,6 +15,7 @@
 
 namespace blum {
 
+/// threads: how many may be used; this version uses one, and the answer does not depend on it.
 struct MedialOptions : SubdivisionOptions {
   int threads = 1;
 };
@@ -42,7 +43,7 @@ struct MedialResult {
   StageCounts stages;
   PhaseTimes time;
   std::uint64_t seed = 0;
-  int threads = 1;
+  int threads = 1;  ///< used
 };
 
 /// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says

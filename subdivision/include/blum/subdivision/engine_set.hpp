@@ -15,7 +15,8 @@ namespace blum {
 
 class EngineSet {
  public:
-  EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed);
+  EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed,
+            bool part_clusters = false);
 
   [[nodiscard]] ProductionEngine& production() { return production_; }
   [[nodiscard]] const InsideOracle& inside() const { return inside_; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "blum/arrangement/diagram_engine.hpp"
+#include "blum/kernel/distance_hint.hpp"
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/result.hpp"
 #include "blum/kernel/site_geometry.hpp"
@@ -27,6 +28,10 @@ struct SubdivisionOptions {
   std::uint64_t seed = 1;
   Engine engine = Engine::kProduction;
   bool resolve = false;  ///< refine until no avoidable cluster node is left
+  /// Leaves that meet the axis are refined until their diameter is at most this (model units);
+  /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
+  double max_leaf_diameter = 0;
+  DistanceHint distance_hint;  ///< saves work; never changes the answer
   int max_depth = 96;    ///< bisections from the box to a leaf
   std::size_t max_cells = 20'000'000;
   double time_limit_s = 0;  ///< 0: none
