@@ -24,7 +24,7 @@ class Assembler {
         engines_(engines),
         locator_(geometry, engines.production()) {}
 
-  CellComplex run();
+  Assembly run();
 
  private:
   /// The common rectangle of two neighbouring leaves.
@@ -43,7 +43,10 @@ class Assembler {
   void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
   void solve_interfaces();
   void cut_lines();
-  [[nodiscard]] std::vector<std::uint32_t> ties_of(const Interface& interface, int side);
+  void drop(const Interface& interface);
+  /// Ties on the minimal edges of a side; false if one cannot be decided.
+  [[nodiscard]] bool solve_ties(const Interface& interface, int side);
+  [[nodiscard]] std::vector<std::uint32_t> ties_of(const Interface& interface, int side) const;
   void add_interface(const Interface& interface);
   void add_leaf(std::uint32_t leaf);
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
@@ -56,7 +59,12 @@ class Assembler {
   Locator locator_;
   std::vector<Interface> interface_;
   std::map<LineKey, std::vector<double>> line_;  // breakpoints of minimal interface edges
-  std::map<std::tuple<LineKey, double>, std::vector<std::uint32_t>> tie_;  // by lower end
+  struct EdgeTies {
+    bool decided = true;
+    std::vector<std::uint32_t> vertex;  // complex vertices in order
+  };
+  std::map<std::tuple<LineKey, double>, EdgeTies> tie_;  // minimal edges, by lower end
+  std::vector<bool> dropped_;                            // leaves with an undecided interface
   std::vector<LeafGraph> graph_;
   std::map<std::uint32_t, std::uint32_t> boundary_vertex_;
   CellComplex complex_;
@@ -115,12 +123,17 @@ void Assembler::solve_interfaces() {
   for (Interface& i : interface_) {
     const Leaf& leaf = donor(i);
     i.diagram = engines_.cache().face(solid_, i.rect, leaf.candidates, leaf.triangles);
-    if (i.diagram->status != FaceStatus::kDecided)
-      throw BrokenInvariant("interface in bad position: " + i.diagram->reason);
+    if (i.diagram->status != FaceStatus::kDecided) drop(i);
   }
 }
 
+void Assembler::drop(const Interface& interface) {
+  for (const auto leaf : {interface.low, interface.high}) dropped_[leaf] = true;
+}
+
 void Assembler::cut_lines() {
+  // The minimal edges' ties; an edge that cannot be decided drops the leaves beside it, and what is
+  // dropped changes no other interface, so one pass is enough.
   for (const Interface& i : interface_)
     for (int s = 0; s < 4; ++s) {
       const Segment e = side_segment(i.rect, s);
@@ -131,6 +144,11 @@ void Assembler::cut_lines() {
   for (auto& [key, points] : line_) {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
+  }
+  for (const Interface& i : interface_) {
+    if (i.diagram->status != FaceStatus::kDecided) continue;
+    for (int s = 0; s < 4; ++s)
+      if (!solve_ties(i, s)) drop(i);
   }
 }
 
@@ -145,26 +163,36 @@ std::uint32_t Assembler::add_vertex(const Placed& placed, ComplexVertex::Kind ki
   return static_cast<std::uint32_t>(complex_.vertex.size() - 1);
 }
 
-std::vector<std::uint32_t> Assembler::ties_of(const Interface& interface, int side) {
+bool Assembler::solve_ties(const Interface& interface, int side) {
+  const Segment e = side_segment(interface.rect, side);
+  const LineKey key{e.axis, e.u, e.v};
+  const auto& points = line_.at(key);
+  for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it) {
+    const auto [slot, fresh] = tie_.try_emplace({key, *it});
+    if (fresh) {
+      const Leaf& leaf = donor(interface);
+      const Segment part{e.axis, e.u, e.v, *it, *std::next(it)};
+      const SegmentAnswer a = engines_.cache().segment(part, leaf.candidates, leaf.triangles);
+      slot->second.decided = a.status == FaceStatus::kDecided;
+      if (slot->second.decided)
+        for (const Breakpoint& b : a.diagram->breakpoint)
+          if (b.kind == Breakpoint::Kind::kTie)
+            slot->second.vertex.push_back(add_vertex(locator_.tie(part, b, leaf.candidates),
+                                                     ComplexVertex::Kind::kArcPoint));
+    }
+    if (!slot->second.decided) return false;
+  }
+  return true;
+}
+
+std::vector<std::uint32_t> Assembler::ties_of(const Interface& interface, int side) const {
   const Segment e = side_segment(interface.rect, side);
   const LineKey key{e.axis, e.u, e.v};
   const auto& points = line_.at(key);
   std::vector<std::uint32_t> vertices;
   for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it) {
-    const double t0 = *it, t1 = *std::next(it);
-    const auto [slot, fresh] = tie_.try_emplace({key, t0});
-    if (fresh) {
-      const Leaf& leaf = donor(interface);
-      const Segment part{e.axis, e.u, e.v, t0, t1};
-      const SegmentAnswer a = engines_.cache().segment(part, leaf.candidates, leaf.triangles);
-      if (a.status != FaceStatus::kDecided)
-        throw BrokenInvariant(std::string("interface edge in bad position: ") + a.reason);
-      for (const Breakpoint& b : a.diagram->breakpoint)
-        if (b.kind == Breakpoint::Kind::kTie)
-          slot->second.push_back(add_vertex(locator_.tie(part, b, leaf.candidates),
-                                            ComplexVertex::Kind::kArcPoint));
-    }
-    vertices.insert(vertices.end(), slot->second.begin(), slot->second.end());
+    const auto& v = tie_.at({key, *it}).vertex;
+    vertices.insert(vertices.end(), v.begin(), v.end());
   }
   return vertices;
 }
@@ -329,26 +357,33 @@ void Assembler::add_leaf(std::uint32_t index) {
   }
 }
 
-CellComplex Assembler::run() {
-  graph_.resize(subdivision_.leaf.size());
-  partial_ = std::ranges::any_of(subdivision_.leaf, [](const Leaf& l) {
-    return l.theorem == LeafTheorem::kUndecided;
-  });
+Assembly Assembler::run() {
+  const auto& leaves = subdivision_.leaf;
+  const auto accepted = [&](std::uint32_t l) {
+    return leaves[l].theorem == LeafTheorem::kConical || leaves[l].theorem == LeafTheorem::kBoundary;
+  };
+  graph_.resize(leaves.size());
+  dropped_.assign(leaves.size(), false);
   pair_cells(0);
   solve_interfaces();
   cut_lines();
-  for (const Interface& i : interface_) add_interface(i);
-  for (std::uint32_t l = 0; l < subdivision_.leaf.size(); ++l) {
-    const auto t = subdivision_.leaf[l].theorem;
-    if (t == LeafTheorem::kConical || t == LeafTheorem::kBoundary) add_leaf(l);
+  Assembly assembly;
+  for (std::uint32_t l = 0; l < leaves.size(); ++l) {
+    if (dropped_[l]) assembly.undecided.push_back(l);
+    partial_ |= dropped_[l] || leaves[l].theorem == LeafTheorem::kUndecided;
   }
-  return std::move(complex_);
+  for (const Interface& i : interface_)
+    if (!dropped_[i.low] && !dropped_[i.high]) add_interface(i);
+  for (std::uint32_t l = 0; l < leaves.size(); ++l)
+    if (accepted(l) && !dropped_[l]) add_leaf(l);
+  assembly.complex = std::move(complex_);
+  return assembly;
 }
 
 }  // namespace
 
-CellComplex assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
-                     EngineSet& engines) {
+Assembly assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
+                  EngineSet& engines) {
   return Assembler(geometry, subdivision, engines).run();
 }
 

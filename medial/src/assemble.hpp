@@ -1,6 +1,9 @@
 /// Leaves -> cell complex (theory section 4).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/medial/complex.hpp"
 #include "blum/subdivision/engine_set.hpp"
@@ -8,10 +11,16 @@
 
 namespace blum {
 
+struct Assembly {
+  CellComplex complex;
+  std::vector<std::uint32_t> undecided;  ///< accepted leaves with an interface in bad position
+};
+
 /// Glues the cones of all accepted leaves along their minimal interfaces: every interface
 /// rectangle, interface edge and tie on it is one object that both sides refer to. Undecided
-/// leaves are left out. Positions and radii are in model units.
-[[nodiscard]] CellComplex assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
+/// leaves, and those that turn out to have an undecidable interface, are left out. Positions and
+/// radii are in model units.
+[[nodiscard]] Assembly assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
                                    EngineSet& engines);
 
 }  // namespace blum

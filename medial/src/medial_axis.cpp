@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assemble.hpp"
+#include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/engine_set.hpp"
 
@@ -48,10 +49,20 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
   result.hausdorff_bound = solid.frame.length_to_model(bound);
   result.leaves = subdivision.leaf.size();
   result.max_depth = subdivision.stats.max_depth;
-  result.complex = assemble(geometry, subdivision, engines);
+  Assembly assembly = assemble(geometry, subdivision, engines);
+  result.complex = std::move(assembly.complex);
+  for (const auto l : assembly.undecided) {
+    const Box3& box = subdivision.leaf[l].box;
+    result.undecided.push_back({{solid.frame.to_model(box.lo), solid.frame.to_model(box.hi)},
+                                UndecidedReason::kFaceUndecided});
+  }
   result.parts = read_parts(result.complex);
   result.certified = result.undecided.empty();
-  if (result.certified) result.betti = betti_numbers(result.complex);
+  if (result.certified) {
+    result.betti = betti_numbers(result.complex);
+    // M ≃ O: a disagreement would be a defect of this program, and must not leave it as an answer.
+    BLUM_CHECK(result.betti == result.solid_betti);
+  }
   result.stages = engines.production().predicates().stages();
   result.time.assemble_s = seconds_since(middle);
   return result;

@@ -285,9 +285,10 @@ bool CellSurface::pieces_are_separate() {
         !separate(index.edge(e), triangle_.at(solid_.edge[e].triangle[0])))
       return false;
   for (const auto v : vertex_)
-    if (!vertex_node_.contains(v) &&
-        !separate(index.vertex(v), triangle_.at(solid_.triangles_at(v).front())))
-      return false;
+    // Convex edges at v part its triangles; the flow of points that v governs ends at v, on the
+    // graph, so v counts as governor of every component that it touches.
+    for (const auto t : solid_.triangles_at(v))
+      if (!separate(index.vertex(v), triangle_.at(t))) return false;
   return true;
 }
 

@@ -1,0 +1,241 @@
+// From a solid to its axis in one call: budgets, hints, engines, thin solids.
+
+#include "blum/medial/medial_axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "subdivision/solid_scenes.hpp"
+
+namespace blum {
+namespace {
+
+using test::Scene;
+
+MedialOptions seeded(std::uint64_t seed, double max_leaf_diameter = 0) {
+  MedialOptions o;
+  o.seed = seed;
+  o.max_leaf_diameter = max_leaf_diameter;
+  return o;
+}
+
+MedialResult axis(const PolygonMesh& mesh, const MedialOptions& options) {
+  auto r = compute_medial_axis(test::solid_of(mesh), options);
+  if (!r) throw std::runtime_error(r.error().message);
+  return std::move(r).value();
+}
+
+std::array<std::uint32_t, 3> counts(const MedialResult& r) {
+  return {r.parts.sheets, r.parts.seams, r.parts.junctions + r.parts.clusters};
+}
+
+void expect_certified(const MedialResult& r) {
+  EXPECT_TRUE(r.certified);
+  EXPECT_TRUE(r.undecided.empty());
+  EXPECT_EQ(r.betti, r.solid_betti);
+}
+
+/// What is not the same in two complexes; empty: they are equal bit by bit.
+std::string difference(const CellComplex& a, const CellComplex& b) {
+  if (a.vertex.size() != b.vertex.size() || a.edge.size() != b.edge.size() ||
+      a.triangle.size() != b.triangle.size() || a.cone.size() != b.cone.size())
+    return "numbers of cells";
+  for (std::size_t k = 0; k < a.vertex.size(); ++k) {
+    const ComplexVertex &v = a.vertex[k], &w = b.vertex[k];
+    const auto at = "of vertex " + std::to_string(k);
+    if (!(v.position == w.position)) return "position " + at;
+    if (v.radius != w.radius) return "radius " + at;
+    if (v.on_axis != w.on_axis) return "on_axis " + at;
+    if (v.kind != w.kind) return "kind " + at;
+    if (v.governors != w.governors) return "governors " + at;
+  }
+  for (std::size_t k = 0; k < a.edge.size(); ++k)
+    if (a.edge[k].vertex != b.edge[k].vertex || a.edge[k].kind != b.edge[k].kind ||
+        a.edge[k].leaf != b.edge[k].leaf || a.edge[k].governors != b.edge[k].governors)
+      return "edge " + std::to_string(k);
+  for (std::size_t k = 0; k < a.triangle.size(); ++k)
+    if (a.triangle[k].edge != b.triangle[k].edge || a.triangle[k].cone != b.triangle[k].cone ||
+        a.triangle[k].governors != b.triangle[k].governors)
+      return "triangle " + std::to_string(k);
+  for (std::size_t k = 0; k < a.cone.size(); ++k)
+    if (a.cone[k].leaf != b.cone[k].leaf || a.cone[k].apex != b.cone[k].apex ||
+        a.cone[k].boundary_vertex != b.cone[k].boundary_vertex)
+      return "cone " + std::to_string(k);
+  return "";
+}
+
+TEST(MedialAxis, AnySolid_IsCertifiedWithItsBettiNumbers) {
+  for (const Scene& scene : test::scenes())
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(scene.name + ", seed " + std::to_string(seed));
+      expect_certified(axis(scene.mesh, seeded(seed)));
+    }
+}
+
+TEST(MedialAxis, SameSeed_GivesTheSameComplex) {
+  for (const Scene& scene : test::scenes()) {
+    const double d = 0.3 * test::extent(scene.mesh.points);
+    EXPECT_EQ(difference(axis(scene.mesh, seeded(4, d)).complex,
+                         axis(scene.mesh, seeded(4, d)).complex), "") << scene.name;
+  }
+}
+
+TEST(MedialAxis, LeafDiameterAskedFor_BoundsTheHausdorffDistance) {
+  for (const Scene& scene : test::scenes()) {
+    const double d = 0.3 * test::extent(scene.mesh.points);
+    const MedialResult r = axis(scene.mesh, seeded(4, d));
+    SCOPED_TRACE(scene.name);
+    expect_certified(r);
+    EXPECT_LE(r.hausdorff_bound, d * (1 + 1e-14));
+    EXPECT_GT(r.hausdorff_bound, 0);
+  }
+}
+
+/// True distances times factors >= 1, the same for the same point; now and then nothing is known.
+DistanceHint true_distance_hint(const Solid& solid, double spread) {
+  return [&solid, spread](const Point3& x) {
+    std::seed_seq seq{std::hash<double>{}(x.x), std::hash<double>{}(x.y), std::hash<double>{}(x.z)};
+    std::mt19937 random(seq);
+    const double u = std::uniform_real_distribution(0.0, 1.0)(random);
+    if (spread > 0 && u < 0.1) return std::numeric_limits<double>::infinity();
+    return test::boundary_distance(solid, solid.point, x) * (1 + 1e-14 + spread * u * u) + 1e-16;
+  };
+}
+
+TEST(DistanceHints, ValidBounds_ChangeNothing) {
+  for (const Scene& scene : test::scenes())
+    for (const bool resolve : {false, true}) {
+      SCOPED_TRACE(scene.name + (resolve ? ", resolved" : ""));
+      const Solid solid = test::solid_of(scene.mesh);
+      MedialOptions o = seeded(2, resolve ? 0 : 0.4 * test::extent(scene.mesh.points));
+      o.resolve = resolve;
+      const auto plain = compute_medial_axis(solid, o);
+      ASSERT_TRUE(plain.ok());
+      for (const double spread : {0.0, 3.0}) {
+        o.distance_hint = true_distance_hint(solid, spread);
+        const auto hinted = compute_medial_axis(solid, o);
+        ASSERT_TRUE(hinted.ok());
+        EXPECT_TRUE(hinted.value().certified);
+        EXPECT_EQ(difference(plain.value().complex, hinted.value().complex), "")
+            << "spread " << spread;
+      }
+    }
+}
+
+TEST(DistanceHints, NothingKnown_ChangesNothing) {
+  const PolygonMesh mesh = shapes::lbracket();
+  MedialOptions o = seeded(1, 0.5);
+  const MedialResult plain = axis(mesh, o);
+  o.distance_hint = [](const Point3&) { return std::numeric_limits<double>::infinity(); };
+  EXPECT_EQ(difference(plain.complex, axis(mesh, o).complex), "");
+}
+
+TEST(MedialAxis, BudgetSpent_IsNotCertifiedAndSaysWhere) {
+  const PolygonMesh mesh = shapes::torus(8, 4, 2, 0.75);
+  MedialOptions depth = seeded(1, 0.5), cells = depth, time = depth;
+  depth.max_depth = 3;
+  cells.max_cells = 10;
+  time.time_limit_s = 1e-12;
+  for (const auto& [o, reason] : {std::pair{depth, UndecidedReason::kDepth},
+                                  std::pair{cells, UndecidedReason::kCells},
+                                  std::pair{time, UndecidedReason::kTime}}) {
+    const MedialResult r = axis(mesh, o);
+    EXPECT_FALSE(r.certified);
+    ASSERT_FALSE(r.undecided.empty());
+    for (const UndecidedCell& c : r.undecided) {
+      EXPECT_EQ(c.reason, reason);
+      for (int k = 0; k < 3; ++k) EXPECT_LT(c.box.lo[k], c.box.hi[k]);
+    }
+  }
+}
+
+TEST(MedialAxis, ProgressRefused_IsInterrupted) {
+  MedialOptions o = seeded(1, 0.2);
+  o.on_progress = [](const Progress&) { return false; };
+  const auto r = compute_medial_axis(test::solid_of(shapes::lbracket()), o);
+  ASSERT_FALSE(r.ok());
+  EXPECT_EQ(r.error().code, ErrorCode::kInterrupted);
+}
+
+TEST(MedialAxis, ArgumentsOutOfRange_AreRefused) {
+  const Solid solid = test::solid_of(shapes::cuboid(1, 1, 2));
+  std::vector<MedialOptions> bad(4);
+  bad[0].max_depth = -1;
+  bad[1].threads = 0;
+  bad[2].time_limit_s = -1;
+  bad[3].max_leaf_diameter = -1;
+  for (const MedialOptions& o : bad) {
+    const auto r = compute_medial_axis(solid, o);
+    ASSERT_FALSE(r.ok());
+    EXPECT_EQ(r.error().code, ErrorCode::kBadArgument);
+  }
+}
+
+// Engines -------------------------------------------------------------------------------------
+
+void compare_engines(const PolygonMesh& mesh, std::uint64_t seed) {
+  for (const bool resolve : {false, true}) {
+    SCOPED_TRACE(resolve ? "resolved" : "not resolved");
+    MedialOptions o = seeded(seed);
+    o.resolve = resolve;
+    const MedialResult production = axis(mesh, o);
+    o.engine = Engine::kBrute;
+    o.time_limit_s = 300;
+    const MedialResult brute = axis(mesh, o);
+    expect_certified(production);
+    expect_certified(brute);
+    if (resolve) EXPECT_EQ(counts(production), counts(brute));
+  }
+}
+
+TEST(Engines, Cuboid_GiveTheSameAnswer) { compare_engines(shapes::cuboid(1, 1.25, 2), 1); }
+TEST(Engines, Prism_GiveTheSameAnswer) { compare_engines(shapes::prism(3), 1); }
+TEST(Engines, LBracket_GiveTheSameAnswer) { compare_engines(shapes::lbracket(), 1); }
+
+TEST(SweepEngines, MoreSolidsAndSeeds_GiveTheSameAnswer) {
+  std::vector<Scene> solids{{"cuboid", shapes::cuboid(1, 1.25, 2)},
+                            {"square bar", shapes::cuboid(1, 1, 2)},
+                            {"cube", shapes::cuboid(1, 1, 1)},
+                            {"prism 3", shapes::prism(3)},
+                            {"prism 5", shapes::prism(5)},
+                            {"lbracket", shapes::lbracket()},
+                            {"voids 1", shapes::nested_voids(1)},
+                            {"rotated lbracket", test::rotated(shapes::lbracket())}};
+  const std::filesystem::path p = BLUM_MODELS_DIR "/P_polygons.off";
+  if (const auto mesh = read_mesh(p)) solids.push_back({"P_polygons", mesh.value()});
+  for (const Scene& s : solids)
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
+      compare_engines(s.mesh, seed);
+    }
+}
+
+// Thin solids ---------------------------------------------------------------------------------
+
+TEST(ThinSolids, LargeAspect_CostsFewLeaves) {
+  for (const double t : {1e-3, 1e-6, 0x1p-10, 0x1p-20}) {
+    const std::vector<Scene> solids{
+        {"plate", shapes::cuboid(1, 1.5, t)},
+        {"needle", shapes::cuboid(t, 1.5 * t, 1)},
+        {"lbracket", shapes::lbracket(4, 3, t, 2)},
+        {"plate with a hole", shapes::plate(1, 6, 2, t)},
+        {"thin walls", test::thin_walled_box(3, 4, 5, t)},
+        {"rotated plate", test::rotated(shapes::cuboid(1, 1.5, t))},
+        {"rotated lbracket", test::rotated(shapes::lbracket(4, 3, t, 2))}};
+    for (const Scene& s : solids)
+      for (const std::uint64_t seed : {1, 2}) {
+        SCOPED_TRACE(s.name + ", thickness " + std::to_string(t) + ", seed " +
+                     std::to_string(seed));
+        MedialOptions o = seeded(seed);
+        o.time_limit_s = 60;
+        const MedialResult r = axis(s.mesh, o);
+        expect_certified(r);
+        EXPECT_LT(static_cast<double>(r.leaves), 0.3 / t);
+        EXPECT_LT(r.leaves, 3000u);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace blum

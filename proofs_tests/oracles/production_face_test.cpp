@@ -1,0 +1,311 @@
+// The production engine against the exact oracle: the same labelled planar map, up to clusters.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+#include "arrangement/coarse_map.hpp"
+#include "arrangement/face_scenes.hpp"
+#include "blum/arrangement/brute_engine.hpp"
+
+namespace blum {
+namespace {
+
+using test::Random;
+using test::Scene;
+
+struct Tally {
+  int problems = 0, same = 0, both_bad = 0, production_gives_up = 0, brute_bad_only = 0, different = 0;
+  int clusters = 0, rims = 0, events = 0, loops = 0, several_pieces = 0, skipped = 0, with_ties = 0;
+  int rounded = 0, rounded_gives_up = 0;  // in solids whose facets are flat up to rounding only
+  double production_s = 0, brute_s = 0;
+  test::LabelSizes sizes;
+  std::map<std::string, int> reason;
+  double worst_ratio = 0;
+
+  void print(const char* what) const {
+    std::cout << what << ": " << problems << " problems, " << same << " same, " << both_bad
+              << " bad for both, " << production_gives_up << " undecided by production alone, "
+              << rounded_gives_up << " more of " << rounded << " in rounded solids, "
+              << brute_bad_only << " bad for brute alone, " << different << " DIFFERENT, " << skipped
+              << " skipped; " << events << " events, " << clusters << " clusters, " << rims
+              << " rims, " << several_pieces << " with several pieces, " << with_ties << " with ties; labels " << sizes.production
+              << "/" << sizes.brute << " worst " << worst_ratio << "; production " << production_s
+              << " s, brute " << brute_s << " s\n";
+    for (const auto& [r, n] : reason) std::cout << "    " << n << " x " << r << '\n';
+  }
+};
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+constexpr std::size_t kMostCandidates = 22, kMostCurved = 8;  // for the oracle's patience
+
+/// Compares on one rectangle. `wide` gives production all candidates instead of the near ones.
+void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally) {
+  const auto near = scene.near(r);
+  if (near.size() > kMostCandidates || scene.curved(near) > kMostCurved) {
+    ++tally.skipped;
+    return;
+  }
+  ++tally.problems;
+  const auto triangles = scene.all_triangles();
+  const auto all = scene.all_candidates();
+  const FaceProblem exact{scene.solid.get(), r, near, triangles};
+  const FaceProblem fast{scene.solid.get(), r, wide ? all : near, triangles};
+  double t = seconds();
+  ProductionEngine engine = scene.engine();
+  FaceDiagram p;
+  try {
+    p = engine.face(fast);
+  } catch (const std::exception& e) {
+    ++tally.different;
+    ADD_FAILURE() << "production throws: " << e.what() << "\n" << test::describe(scene, r);
+    return;
+  }
+  tally.production_s += seconds() - t;
+  t = seconds();
+  if (std::getenv("BLUM_TRACE2") != nullptr) std::cout << near.size() << " candidates: " << test::describe(scene, r) << std::endl;
+  FaceDiagram b;
+  try {
+    b = brute_face(exact);
+  } catch (const std::exception& e) {
+    ++tally.different;
+    ADD_FAILURE() << "brute throws: " << e.what() << "\n" << test::describe(scene, r);
+    return;
+  }
+  tally.brute_s += seconds() - t;
+  if (seconds() - t > 1 && std::getenv("BLUM_TRACE") != nullptr)
+    std::cout << "slow " << seconds() - t << " s, " << near.size() << " candidates: "
+              << test::describe(scene, r) << std::endl;
+  ASSERT_NE(b.status, FaceStatus::kUndecided);
+  const bool rounded = scene.name.rfind("rotated", 0) == 0;
+  tally.rounded += rounded;
+  const bool p_ok = p.status == FaceStatus::kDecided, b_ok = b.status == FaceStatus::kDecided;
+  if (!p_ok) {
+    ++tally.reason[(b_ok ? "alone: " : "both: ") + p.reason];
+    ++(!b_ok ? tally.both_bad : rounded ? tally.rounded_gives_up : tally.production_gives_up);
+    if (b_ok && std::getenv("BLUM_TRACE") != nullptr)
+      std::cout << "gives up: " << p.reason << ": " << test::describe(scene, r) << '\n';
+    return;
+  }
+  if (!b_ok) {
+    ++tally.brute_bad_only;
+    ++tally.reason["brute alone: " + b.reason];
+    if (std::getenv("BLUM_TRACE") != nullptr)
+      std::cout << "brute bad: " << b.reason << ": " << test::describe(scene, r) << '\n';
+    return;
+  }
+  test::LabelSizes sizes;
+  const std::string difference = test::coarse_map_difference(p, b, &sizes);
+  if (!difference.empty()) {
+    ++tally.different;
+    ADD_FAILURE() << difference << "\n" << test::describe(scene, r);
+    return;
+  }
+  ++tally.same;
+  tally.sizes.production += sizes.production;
+  tally.sizes.brute += sizes.brute;
+  if (sizes.brute > 0)
+    tally.worst_ratio = std::max(
+        tally.worst_ratio, static_cast<double>(sizes.production) / static_cast<double>(sizes.brute));
+  const test::CoarseMap map(p);
+  for (std::uint32_t n = 0; n < p.node.size(); ++n) {
+    tally.events += map.event(n);
+    tally.rims += map.rim(n);
+    tally.clusters += map.event(n) && !p.node[n].exact;
+  }
+  tally.with_ties += !p.arc.empty();
+  tally.several_pieces += p.piece.size() > 1;
+}
+
+void run_random(std::uint64_t seed, int rounds, Tally& tally) {
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round)
+    for (const Scene& scene : test::catalogue(random)) {
+      const double size = std::exp(test::uniform(random, std::log(0.02), std::log(0.8)));
+      compare(scene, test::random_rect(random, scene, size), random() % 2 == 0, tally);
+    }
+}
+
+TEST(ProductionFace, RandomRectangles_GiveTheMapOfTheOracle) {
+  Tally tally;
+  run_random(1, 2, tally);
+  tally.print("random");
+  EXPECT_GE(tally.same, 60);
+  EXPECT_EQ(tally.production_gives_up + tally.both_bad + tally.brute_bad_only, 0);
+  EXPECT_LE(tally.rounded_gives_up, 2);
+}
+
+TEST(SweepProductionFace, RandomRectangles_GiveTheMapOfTheOracle) {
+  Tally tally;
+  run_random(2, 40, tally);
+  tally.print("random");
+  EXPECT_GE(tally.same, 1000);
+  EXPECT_EQ(tally.production_gives_up + tally.both_bad + tally.brute_bad_only, 0);
+  // Rims and flat edges that rounding has split in several almost equal features.
+  EXPECT_LE(tally.rounded_gives_up * 20, tally.rounded);
+}
+
+void run_special(std::uint64_t seed, int rounds, Tally& tally) {
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round)
+    for (const Scene& scene : test::catalogue(random))
+      compare(scene, test::special_rect(random, scene), random() % 2 == 0, tally);
+}
+
+TEST(ProductionFace, SpecialRectangles_NeverContradictTheOracle) {
+  Tally tally;
+  run_special(11, 1, tally);
+  tally.print("special");
+  EXPECT_GE(tally.problems, 20);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(SweepProductionFace, SpecialRectangles_NeverContradictTheOracle) {
+  Tally tally;
+  run_special(12, 20, tally);
+  tally.print("special");
+  EXPECT_GE(tally.problems, 300);
+  EXPECT_EQ(tally.different, 0);
+}
+
+/// Square sections: four walls at one event, and beside it two events very near to each other.
+TEST(ProductionFace, SquareAndNearlySquareSections_GiveTheMapOfTheOracle) {
+  Tally tally;
+  Random random(21);
+  for (const double e : {0.0, 0x1p-51, -0x1p-51, 0x1p-48, 1e-12, -1e-12, 1e-6, -1e-6}) {
+    const Scene s("square section", shapes::cuboid(5, 2, 2 + e));
+    for (int k = 0; k < 3; ++k) {
+      const auto near_one = [&](double lo, double hi) { return test::uniform(random, lo, hi); };
+      compare(s, s.rect(0, near_one(1.2, 3.8), near_one(0.2, 0.9), near_one(1.1, 1.8),
+                        near_one(0.2, 0.9), near_one(1.1, 1.8)), k == 0, tally);
+    }
+  }
+  tally.print("square sections");
+  EXPECT_EQ(tally.same, tally.problems);
+  EXPECT_GE(tally.events, 24);
+}
+
+/// Regular prisms: n walls tie on the axis; with the coordinates rounded and with a moved corner they
+/// nearly do.
+void prism_axes(int rounds, Tally& tally) {
+  Random random(22);
+  for (int round = 0; round < rounds; ++round)
+    for (int n = 3; n <= 8; ++n)
+      for (const shapes::Move move : {shapes::Move{0, 0}, {0, 1}, {0, -1}, {1e-12, 0}, {1e-6, 0}}) {
+        const Scene s("prism " + std::to_string(n), test::moved(shapes::prism(n, 1, 4, move)));
+        const double h = test::uniform(random, 0.02, 0.3);
+        const auto side = [&](int sign) { return 5 + sign * h * test::uniform(random, 0.3, 1); };
+        compare(s, s.rect(2, 5 + test::uniform(random, 1.3, 2.7), side(-1), side(1), side(-1), side(1)),
+                round % 2 == 0, tally);
+      }
+  tally.print("prism axes");
+}
+
+TEST(ProductionFace, PrismAxes_GiveTheMapOfTheOracle) {
+  Tally tally;
+  prism_axes(1, tally);
+  EXPECT_EQ(tally.same, tally.problems);
+  EXPECT_GE(tally.clusters, 20);
+}
+
+TEST(SweepProductionFace, PrismAxes_GiveTheMapOfTheOracle) {
+  Tally tally;
+  prism_axes(10, tally);
+  EXPECT_EQ(tally.same, tally.problems);
+}
+
+/// Exactly regular: squares and octagons with short coordinates.
+TEST(ProductionFace, ExactSeamsOfEightWalls_GiveTheMapOfTheOracle) {
+  Tally tally;
+  Random random(23);
+  PolygonMesh m;  // walls at distance 5 from the axis: normals (+-1,0), (+-3/5,4/5), ...
+  const double c[8][2] = {{5, -2.5}, {5, 2.5},   {1, 5.5},   {-1, 5.5},
+                          {-5, 2.5}, {-5, -2.5}, {-1, -5.5}, {1, -5.5}};
+  for (const double z : {0.0, 20.0})
+    for (const auto& p : c) m.points.push_back({p[0], p[1], z});
+  m.faces = {{7, 6, 5, 4, 3, 2, 1, 0}, {8, 9, 10, 11, 12, 13, 14, 15}};
+  for (std::uint32_t k = 0; k < 8; ++k) m.faces.push_back({k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8});
+  const Scene s("octagon", test::moved(m));
+  for (int k = 0; k < 6; ++k) {
+    const auto r = [&](double sign) { return 5 + sign * test::uniform(random, 0.1, 2); };
+    compare(s, s.rect(2, 5 + test::uniform(random, 6, 14), r(-1), r(1), r(-1), r(1)), false, tally);
+  }
+  tally.print("octagon");
+  EXPECT_EQ(tally.same, tally.problems);
+}
+
+/// Corners of the rectangle on a tie: bad for both; beside it decided by both.
+TEST(ProductionFace, CornersOnATieAndBeside_AreLikeTheOracle) {
+  Tally exact, beside;
+  const Scene s("cuboid", shapes::cuboid(4, 3, 2));
+  for (const double e : {0.0, 0x1p-50, -0x1p-50, 1e-12, -1e-12}) {
+    Tally& tally = e == 0 ? exact : beside;
+    compare(s, s.rect(2, 0.75, 0.25 + e, 1.5, 0.25, 1.25), false, tally);
+    compare(s, s.rect(2, 0.75, -1, 0.5 + e, -1, 0.5), false, tally);
+    compare(s, s.rect(0, 2.125, 0.5 + e, 2.5625, 0.5, 1.75), false, tally);
+  }
+  EXPECT_EQ(exact.both_bad, 3);
+  EXPECT_EQ(beside.same, 12);
+}
+
+/// Mid-planes: a sheet in the plane is never decided, 1e-12 beside it is. One ulp beside, production
+/// may give up: bounds over a box are taken in doubles only.
+TEST(ProductionFace, MidPlanesAndBeside_AreLikeTheOracle) {
+  Tally exact, ulp, beside;
+  const Scene s("cuboid", shapes::cuboid(4, 3, 2));
+  for (const double e : {0.0, 0x1p-51, -0x1p-51, 1e-12, -1e-12}) {
+    Tally& tally = e == 0 ? exact : std::abs(e) < 1e-15 ? ulp : beside;
+    compare(s, s.rect(2, 1 + e, 0.5, 3.6875, 0.4375, 2.625), false, tally);
+    compare(s, s.rect(2, 1 + e, 1.5, 2.5, 1.25, 1.75), false, tally);
+  }
+  EXPECT_EQ(exact.both_bad, 2);
+  EXPECT_EQ(ulp.different, 0);
+  EXPECT_EQ(beside.same, 4);
+}
+
+/// Rims inside the solid, exact and rotated.
+void rims(std::uint64_t seed, int rounds, Tally& tally) {
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Scene> scenes;
+    scenes.emplace_back("lpocket", shapes::lpocket());
+    scenes.emplace_back("triangulated lpocket",
+                        shapes::triangulate_facets(shapes::lpocket(), random()));
+    scenes.emplace_back("split lpocket", shapes::split_edges(shapes::lpocket(), random()));
+    scenes.emplace_back("rotated lpocket", shapes::rotate_rounded(shapes::lpocket(), random()));
+    for (const Scene& s : scenes)
+      for (int k = 0; k < 3; ++k) {
+        const auto rim = test::random_rim_point(random, s);
+        if (!rim) continue;
+        const double h = s.extent() * test::uniform(random, 0.005, 0.06);
+        const bool rotated = s.name.rfind("rotated", 0) == 0;
+        const int axis = rotated ? static_cast<int>(random() % 3) : 2;
+        const int u = u_axis(axis), v = v_axis(axis);
+        const auto r = [&] { return h * test::uniform(random, 0.1, 1); };
+        compare(s, {axis, (*rim)[axis], (*rim)[u] - r(), (*rim)[u] + r(), (*rim)[v] - r(),
+                    (*rim)[v] + r()}, random() % 2 == 0, tally);
+      }
+  }
+  tally.print("rims");
+}
+
+TEST(ProductionFace, RimsInsideTheSolid_GiveTheMapOfTheOracle) {
+  Tally tally;
+  rims(31, 2, tally);
+  EXPECT_GE(tally.rims, 10);
+}
+
+TEST(SweepProductionFace, RimsInsideTheSolid_GiveTheMapOfTheOracle) {
+  Tally tally;
+  rims(32, 12, tally);
+  EXPECT_GE(tally.rims, 60);
+  EXPECT_EQ(tally.production_gives_up + tally.brute_bad_only + tally.both_bad, 0);
+}
+
+}  // namespace
+}  // namespace blum
