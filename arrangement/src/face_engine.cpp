@@ -92,12 +92,15 @@ void FaceEngine::label_element(std::uint32_t element, std::span<const SiteId> la
   l.insert(l.end(), labels.begin(), labels.end());
 }
 
-void FaceEngine::find_traces(Box& root) {
+Trouble FaceEngine::find_traces(Box& root) {
   const Solid& solid = context_.geometry.solid();
   const Rect& r = problem_.rect;
   std::map<std::uint32_t, std::uint32_t> point_of_edge;
   for (const auto t : problem_.triangles) {
     const auto& tri = solid.triangle[t];
+    for (const auto v : tri.vertex)
+      if (solid.point[v][r.axis] == r.level)
+        return {FaceStatus::kBadPosition, "boundary vertex in the plane of a face"};
     std::array<std::uint32_t, 2> ends{};
     int n = 0;
     for (const auto e : tri.edge) {
@@ -118,6 +121,7 @@ void FaceEngine::find_traces(Box& root) {
     trace_[t] = ends;
     root.triangles.push_back(t);
   }
+  return {};
 }
 
 bool FaceEngine::in_box(const TracePoint& p, const Box& box) {
@@ -726,7 +730,14 @@ FaceDiagram FaceEngine::solve(const std::array<std::shared_ptr<const SegmentDiag
   v_ = v_axis(r.axis);
   Box root{r.u0, r.u1, r.v0, r.v1, {}, {}, {}, 0};
   root.candidates.assign(problem_.candidates.begin(), problem_.candidates.end());
-  find_traces(root);
+  if (const Trouble t = find_traces(root)) {
+    FaceDiagram d;
+    d.status = t.status;
+    d.reason = t.reason;
+    d.rect = r;
+    d.side = side;
+    return d;
+  }
   for (std::uint8_t s = 0; s < 4; ++s) {
     root.side[s] = make_line(*side[s]);
     for (std::uint32_t k = 0; k < root.side[s].brk.size(); ++k) {

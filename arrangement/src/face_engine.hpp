@@ -88,7 +88,7 @@ class FaceEngine {
   void add_arc(std::uint32_t from, std::uint32_t to, SiteId left, SiteId right,
                std::array<std::uint32_t, 2> beside);
   void label_element(std::uint32_t element, std::span<const SiteId> labels);
-  void find_traces(Box& root);
+  [[nodiscard]] Trouble find_traces(Box& root);
   [[nodiscard]] FaceDiagram assemble(const Box& root);
 
   EngineContext& context_;

@@ -17,14 +17,15 @@ struct Crossing {
   double lo, hi;
 };
 
-/// Enclosure of the parameter where the line pierces a triangle's plane.
-Ball crossing_parameter(const SiteGeometry& g, const Segment& s, std::uint32_t triangle) {
+/// Enclosure of the parameter in [t0, t1] where the line pierces a triangle's plane.
+std::array<double, 2> crossing_parameter(const SiteGeometry& g, const Segment& s, std::uint32_t triangle) {
   const SiteId face = g.index().face(triangle);
   const BallVector& n = g.unit(face);
   const Ball h = dot(n, difference(at(s, s.t0), g.base(face)));
   if (n[s.axis].sign() == 2 || n[s.axis].sign() == 0)
-    return {0.5 * (s.t0 + s.t1), 0.5 * (s.t1 - s.t0)};
-  return Ball(s.t0) - divide(h, n[s.axis]);
+    return {s.t0, s.t1};
+  const Ball t = Ball(s.t0) - divide(h, n[s.axis]);
+  return {std::max(s.t0, t.low()), std::min(s.t1, t.high())};
 }
 
 }  // namespace
@@ -139,8 +140,8 @@ Trouble SegmentEngine::solve(const Segment& segment, std::span<const SiteId> can
     const int s0 = predicates.plane_side(first, t), s1 = predicates.plane_side(last, t);
     if (s0 == 0 || s1 == 0) return {FaceStatus::kBadPosition, "end of a segment on the boundary"};
     if (s0 == s1) continue;
-    const Ball p = crossing_parameter(context_.geometry, segment, t);
-    crossing.push_back({t, std::max(segment.t0, p.low()), std::min(segment.t1, p.high())});
+    const auto [lo, hi] = crossing_parameter(context_.geometry, segment, t);
+    crossing.push_back({t, lo, hi});
   }
   bool equal = false;
   std::sort(crossing.begin(), crossing.end(), [&](const Crossing& p, const Crossing& q) {

@@ -87,7 +87,9 @@ Fraction<N> squared_distance(const SiteGeometry& g, SiteId site, const Point3& x
   return {h * h, inner<N>(n, n)};
 }
 
-/// Unit outer normal with radius below 1e-15 (precision is raised until it is).
+/// Unit outer normal, unit direction, with a relative error of about 1e-15 (precision is raised
+/// until it is).
 BallVector unit_normal(const Solid& s, std::uint32_t triangle);
+BallVector unit_direction(const Solid& s, std::uint32_t edge);
 
 }  // namespace blum::detail::expression

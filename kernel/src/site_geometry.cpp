@@ -4,18 +4,7 @@
 #include "site_expressions.hpp"
 
 namespace blum {
-namespace {
-
 namespace expression = detail::expression;
-
-BallVector normalised(const BallVector& w) {
-  const Ball squared = dot(w, w);
-  BLUM_CHECK(squared.sign() == 1);
-  const Ball length = root(squared);
-  return {divide(w[0], length), divide(w[1], length), divide(w[2], length)};
-}
-
-}  // namespace
 
 SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
   half_begin_.reserve(index_.size() + 1);
@@ -41,7 +30,7 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     const SolidEdge& edge = solid.edge[e];
     const auto [a, b] = edge.vertex;
     const SiteId site = index_.edge(e);
-    unit_[site.value] = normalised(difference(solid.point[b], solid.point[a]));
+    unit_[site.value] = expression::unit_direction(solid, e);
     if (edge.kind != EdgeKind::kReflex) continue;
     candidates_.push_back(site);
     add({Kind::kAlong, a, b, 0, b, {}});
@@ -61,7 +50,6 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     add({Kind::kPrism, b, c, a, b, {}});
     add({Kind::kPrism, c, a, b, c, {}});
     add({Kind::kPlane, a, b, c, a, {}});
-    // A sliver's normal can be lost in double differences; 128-bit balls then give the unit vector.
     unit_[index_.face(t).value] = expression::unit_normal(solid, t);
   }
   half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));

@@ -20,19 +20,23 @@ struct ArbVector {
   ArbVector& operator=(const ArbVector&) = delete;
 };
 
+void difference_of(arb_ptr r, double a, double b, slong precision) {
+  arb_t t;
+  arb_init(t);
+  arb_set_d(r, a);
+  arb_set_d(t, b);
+  arb_sub(r, r, t, precision);
+  arb_clear(t);
+}
+
 void cross_of_edges(ArbVector& n, const Solid& s, std::uint32_t triangle, slong precision) {
   ArbVector p, q;
   const auto& v = s.triangle[triangle].vertex;
   arb_t t;
   arb_init(t);
   for (int k = 0; k < 3; ++k) {
-    const auto minus = [&](arb_ptr r, std::uint32_t head) {
-      arb_set_d(r, s.point[head][k]);
-      arb_set_d(t, s.point[v[0]][k]);
-      arb_sub(r, r, t, precision);
-    };
-    minus(&p.x[k], v[1]);
-    minus(&q.x[k], v[2]);
+    difference_of(&p.x[k], s.point[v[1]][k], s.point[v[0]][k], precision);
+    difference_of(&q.x[k], s.point[v[2]][k], s.point[v[0]][k], precision);
   }
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -60,7 +64,8 @@ void normalise(ArbVector& n, slong precision) {
 Ball to_ball(arb_srcptr x) {
   const double mid = arf_get_d(arb_midref(x), ARF_RND_NEAR);
   const double rad = mag_get_d(arb_radref(x));  // rounded up by less than one part in 2^-29
-  return {mid, rad * (1 + 0x1p-20) + std::abs(mid) * Ball::kUnit};
+  const double underflow = arb_is_zero(x) ? 0.0 : Ball::kTiny;
+  return {mid, rad * (1 + 0x1p-20) + std::abs(mid) * Ball::kUnit + underflow};
 }
 
 BallVector to_balls(const ArbVector& v) {
@@ -83,10 +88,13 @@ constexpr slong kMaxPrecision = 1 << 16;
 
 namespace detail::expression {
 
-BallVector unit_normal(const Solid& s, std::uint32_t triangle) {
+namespace {
+
+template <class Fill>
+BallVector unit_of(Fill&& fill) {
   for (slong precision = 128; precision <= kMaxPrecision; precision *= 2) {
     ArbVector n;
-    cross_of_edges(n, s, triangle, precision);
+    fill(n, precision);
     normalise(n, precision);
     bool finite = true;
     for (auto& c : n.x) finite &= arb_is_finite(&c) != 0;
@@ -95,7 +103,20 @@ BallVector unit_normal(const Solid& s, std::uint32_t triangle) {
       if (relatively_small_error(r)) return r;
     }
   }
-  broken_invariant("triangle without a normal", __FILE__, __LINE__);
+  broken_invariant("edge or triangle without a direction", __FILE__, __LINE__);
+}
+
+}  // namespace
+
+BallVector unit_normal(const Solid& s, std::uint32_t triangle) {
+  return unit_of([&](ArbVector& n, slong precision) { cross_of_edges(n, s, triangle, precision); });
+}
+
+BallVector unit_direction(const Solid& s, std::uint32_t edge) {
+  const Point3 &a = s.point[s.edge[edge].vertex[0]], &b = s.point[s.edge[edge].vertex[1]];
+  return unit_of([&](ArbVector& n, slong precision) {
+    for (int k = 0; k < 3; ++k) difference_of(&n.x[k], b[k], a[k], precision);
+  });
 }
 
 }  // namespace detail::expression

@@ -1,6 +1,7 @@
 // Which stage of the predicates decides: the exact one is rare on input in general position.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <iostream>
 
 #include "face_scenes.hpp"
@@ -83,6 +84,7 @@ TEST(ProductionStages, SpecialRectangles_ReachEveryStage) {
     for (int k = 0; k < 5; ++k) {
       const Rect r = test::special_rect(random, scene);
       const auto sites = scene.near(r);
+      if (std::getenv("BLUM_TRACE") != nullptr) std::cout << test::describe(scene, r) << std::endl;
       (void)engine.face({scene.solid.get(), r, sites, triangles});
     }
     stages += engine.predicates().stages();

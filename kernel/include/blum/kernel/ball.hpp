@@ -26,8 +26,9 @@ struct Ball {
   constexpr Ball(double value) : mid(value) {}
   constexpr Ball(double m, double r) : mid(m), rad(r) {}
 
-  [[nodiscard]] double low() const { return (mid - rad) - std::abs(mid) * kUnit - kTiny; }
-  [[nodiscard]] double high() const { return (mid + rad) + std::abs(mid) * kUnit + kTiny; }
+  /// The last terms cover the rounding of mid -+ rad, which errs by at most u (|mid| + rad).
+  [[nodiscard]] double low() const { return (mid - rad) - (std::abs(mid) + rad) * kUnit - kTiny; }
+  [[nodiscard]] double high() const { return (mid + rad) + (std::abs(mid) + rad) * kUnit + kTiny; }
   [[nodiscard]] double magnitude() const { return (std::abs(mid) + rad) * kInflate; }
   /// Sign if certain, 2 otherwise. A radius of exactly 0 certifies a zero.
   [[nodiscard]] int sign() const {

@@ -1,0 +1,250 @@
+// test_cell on boxes chosen by hand: every verdict occurs, for the reason it stands for.
+
+#include "blum/subdivision/cell_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include "subdivision/solid_scenes.hpp"
+
+namespace blum {
+namespace {
+
+using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
+
+/// A solid with an engine; cells are given in model units.
+struct Bench {
+  explicit Bench(const PolygonMesh& mesh)
+      : solid(test::solid_of(mesh)), geometry(solid),
+        engines(geometry, Engine::kProduction, 1) {
+    for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) triangles.push_back(t);
+  }
+  Bench(const Bench&) = delete;
+
+  [[nodiscard]] Point3 to_working(const Point3& p) const {
+    Point3 q;
+    for (int k = 0; k < 3; ++k)
+      q[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
+    return q;
+  }
+
+  Faces faces(const Box3& box, std::vector<SiteId>& candidates) {
+    candidates = engines.production().prune(geometry.candidates(), box.lo, box.hi);
+    Faces face;
+    for (int f = 0; f < 6; ++f) {
+      const auto k = static_cast<std::size_t>(f);
+      face[k] = engines.cache().face(solid, box_face(box, f), candidates, triangles);
+      if (face[k]->status != FaceStatus::kDecided)
+        throw std::runtime_error("face in bad position: " + face[k]->reason);
+    }
+    return face;
+  }
+
+  CellAnswer test(const Point3& lo, const Point3& hi, bool resolve = false,
+                  bool connected = true) {
+    asked.clear();
+    // Round numbers are in bad position.
+    const Box3 box{to_working({lo.x - 1.1e-5, lo.y - 2.3e-5, lo.z - 3.7e-5}),
+                   to_working({hi.x + 4.1e-5, hi.y + 5.9e-5, hi.z + 7.3e-5})};
+    std::vector<SiteId> candidates;
+    const Faces face = faces(box, candidates);
+    return test_cell(geometry, box, candidates, triangles, face,
+                     [&](std::uint32_t v) {
+                       asked.insert(v);
+                       return connected;
+                     },
+                     resolve);
+  }
+
+  /// Of the axis on a small box about a vertex.
+  std::size_t components_about(std::uint32_t vertex, double size) {
+    const Point3& p = solid.point[vertex];
+    const double s = std::ldexp(size, -solid.frame.exponent);
+    std::vector<SiteId> candidates;
+    return graph_components(faces({{p.x - 0.97 * s, p.y - 1.01 * s, p.z - 1.04 * s},
+                                   {p.x + 1.03 * s, p.y + 0.96 * s, p.z + 0.99 * s}},
+                                  candidates));
+  }
+
+  std::uint32_t vertex_at(const Point3& model) const {
+    for (std::uint32_t v = 0; v < solid.point.size(); ++v)
+      if (solid.point[v] == to_working(model)) return v;
+    throw std::runtime_error("no such vertex");
+  }
+
+  const Solid solid;
+  const SiteGeometry geometry;
+  EngineSet engines;
+  std::vector<std::uint32_t> triangles;
+  std::set<std::uint32_t> asked;  // vertices that the last test asked about
+};
+
+TEST(CellTest, CellInsideWithoutAxis_IsAccepted) {
+  Bench b(shapes::cuboid(1, 1.25, 2));
+  const CellAnswer a = b.test({0.02, 0.51, 0.9}, {0.21, 0.7, 1.1});
+  EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+  EXPECT_FALSE(a.has_axis);
+  EXPECT_FALSE(a.conical);
+}
+
+TEST(CellTest, CellAcrossSheetOrSeamOrJunction_IsAcceptedResolvedToo) {
+  Bench b(shapes::cuboid(1, 1.25, 2));
+  for (const auto& [lo, hi] : {std::pair{Point3{0.4, 0.55, 0.9}, Point3{0.61, 0.7, 1.1}},
+                               {{0.4, 0.41, 0.9}, {0.61, 0.56, 1.1}},
+                               {{0.4, 0.41, 0.41}, {0.61, 0.56, 0.61}}}) {
+    const CellAnswer a = b.test(lo, hi, true);
+    EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+    EXPECT_TRUE(a.has_axis);
+  }
+}
+
+TEST(CellTest, CellAcrossThinWall_IsAccepted) {
+  // The part of the solid in the cell is a slab between two boundary faces.
+  Bench b(shapes::cuboid(1, 1.25, 0x1p-6));
+  const CellAnswer a = b.test({0.3, 0.4, -0.21}, {0.6, 0.69, 0.22}, true);
+  EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+  EXPECT_TRUE(a.has_axis);
+}
+
+TEST(CellTest, CellAcrossBothArmsOfAPocket_TakesComponentsOneByOne) {
+  Bench b(shapes::lpocket());
+  const CellAnswer a = b.test({-0.13, 1.2, 1.61}, {4.12, 1.4, 1.8});
+  EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+  EXPECT_TRUE(a.has_axis);
+}
+
+TEST(CellTest, CellAboutConvexCorner_IsConical) {
+  Bench b(shapes::cuboid(1, 1.25, 2));
+  const CellAnswer a = b.test({-0.21, -0.18, -0.22}, {0.2, 0.23, 0.19});
+  EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+  EXPECT_TRUE(a.conical);
+  EXPECT_EQ(a.vertex, b.vertex_at({0, 0, 0}));
+  EXPECT_TRUE(a.has_axis);
+  EXPECT_TRUE(b.asked.empty());
+}
+
+TEST(CellTest, TwoSheetsThatMeetBesideTheCell_AreJoinedByACurvedCut) {
+  Bench b(shapes::cuboid(1, 1.25, 2));
+  const CellAnswer a = b.test({-0.0466, 0.41626, -0.017334}, {0.25415, 0.9729, 2.0686});
+  EXPECT_EQ(a.verdict, CellVerdict::kAccepted);
+  EXPECT_TRUE(a.curved_cut);
+}
+
+TEST(CellTest, CellAroundWholeSolid_HasShellInside) {
+  for (const PolygonMesh& mesh : {shapes::cuboid(1, 1.25, 2), shapes::prism(5)}) {
+    Bench b(mesh);
+    EXPECT_EQ(b.test({-1.51, -1.52, -0.53}, {1.54, 1.55, 2.56}).verdict,
+              CellVerdict::kShellInside);
+  }
+}
+
+TEST(CellTest, CellAroundVoid_HasShellInside) {
+  Bench b(test::thin_walled_box(8, 8, 8, 3));
+  EXPECT_EQ(b.test({1.1, 1.2, 1.15}, {6.8, 6.9, 6.85}).verdict, CellVerdict::kShellInside);
+}
+
+TEST(CellTest, CellAroundTunnel_IsNoBall) {
+  Bench b(shapes::plate(1, 6));
+  // Within the plate's thickness, across it, and with a part of its outer walls.
+  EXPECT_EQ(b.test({0.25, 0.26, 0.11}, {1.76, 1.73, 0.39}).verdict, CellVerdict::kEuler);
+  EXPECT_EQ(b.test({0.25, 0.26, -0.11}, {1.76, 1.73, 0.61}).verdict, CellVerdict::kEuler);
+  EXPECT_EQ(b.test({-0.11, -0.12, 0.11}, {2.13, 2.14, 0.39}).verdict, CellVerdict::kEuler);
+  EXPECT_EQ(b.test({-0.11, -0.12, -0.11}, {2.13, 2.14, 0.39}).verdict, CellVerdict::kEuler);
+}
+
+TEST(CellTest, VertexWhereTheAxisMayFallApart_IsRefusedUnlessConnectedThere) {
+  Bench b(shapes::lbracket());
+  const Point3 lo{0.55, 0.6, -0.31}, hi{1.41, 1.52, 0.52};
+  EXPECT_EQ(b.test(lo, hi, false, true).verdict, CellVerdict::kAccepted);
+  EXPECT_EQ(b.asked, (std::set<std::uint32_t>{b.vertex_at({1, 1, 0})}));
+  EXPECT_EQ(b.test(lo, hi, false, false).verdict, CellVerdict::kVertex);
+}
+
+TEST(CellTest, PlateWithHole_AsksAboutItsMixedVerticesOnly) {
+  Bench b(shapes::plate(1, 6));
+  const Point3 lo{-0.0642, -0.029, 0.12915}, hi{2.055, 2.16626, 0.513916};
+  EXPECT_EQ(b.test(lo, hi, false, true).verdict, CellVerdict::kEuler);
+  EXPECT_EQ(b.asked.size(), 6u);
+  EXPECT_EQ(b.test(lo, hi, false, false).verdict, CellVerdict::kVertex);
+  EXPECT_EQ(b.asked.size(), 1u);
+}
+
+TEST(CellTest, GraphInPieces_IsRefused) {
+  Bench pocket(shapes::lpocket()), voids(shapes::nested_voids(1));
+  EXPECT_EQ(pocket.test({0.98877, 0.324707, 0.941895}, {1.55908, 3.58643, 2.67627}).verdict,
+            CellVerdict::kGraph);
+  EXPECT_EQ(voids.test({-1.75342, -2.21826, -2.4917}, {2.10596, 1.93018, 1.11768}).verdict,
+            CellVerdict::kGraph);
+}
+
+TEST(CellTest, SiteOnBothSidesOfAHiddenPart_IsRefused) {
+  Bench box(shapes::cuboid(1, 1.25, 2)), cube(shapes::cuboid(1, 1, 1));
+  EXPECT_EQ(box.test({0.506104, 0.275635, 0.045166}, {1.08032, 1.28931, 1.93579}).verdict,
+            CellVerdict::kLabel);
+  EXPECT_EQ(cube.test({0.506958, 0.220825, 0.022583}, {1.08118, 1.03235, 0.967896}).verdict,
+            CellVerdict::kLabel);
+}
+
+TEST(CellTest, DegenerateJunction_IsAClusterOnlyWhenResolving) {
+  Bench cube(shapes::cuboid(1, 1, 1));
+  const Point3 lo{0.39, 0.42, 0.37}, hi{0.63, 0.6, 0.61};
+  EXPECT_EQ(cube.test(lo, hi, false).verdict, CellVerdict::kAccepted);
+  EXPECT_EQ(cube.test(lo, hi, true).verdict, CellVerdict::kCluster);
+}
+
+TEST(CellTest, TwoJunctionsInACell_AreAClusterOnlyWhenResolving) {
+  Bench box(shapes::cuboid(1, 1.25, 2));
+  const Point3 lo{0.3, 0.31, 0.32}, hi{0.7, 0.93, 0.69};
+  EXPECT_EQ(box.test(lo, hi, false).verdict, CellVerdict::kAccepted);
+  EXPECT_EQ(box.test(lo, hi, true).verdict, CellVerdict::kCluster);
+}
+
+TEST(CellTest, WholeRuns_MeetEveryVerdictButFace) {
+  std::array<std::size_t, 8> met{};
+  for (const test::Scene& scene : test::scenes()) {
+    SubdivisionOptions o = test::seeded(1, 0.25 * test::extent(scene.mesh.points));
+    o.resolve = true;
+    const test::Subdivided run(scene.mesh, o);
+    ASSERT_TRUE(run.result.ok());
+    std::size_t tested = 0;
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      met[k] += run.tree().stats.rejected[k];
+      tested += run.tree().stats.rejected[k];
+    }
+    EXPECT_EQ(tested, run.tree().stats.cells_tested);
+  }
+  for (std::size_t k = 0; k < met.size(); ++k)
+    if (k != static_cast<std::size_t>(CellVerdict::kFace)) EXPECT_GT(met[k], 0u) << k;
+}
+
+TEST(AxisAtVertex, StarApex_FallsApartIntoOneSheetPerConvexEdge) {
+  for (const int points : {3, 4, 5}) {
+    Bench b(test::star_void(points));
+    for (const double z : {4.5, -3.5}) {
+      const auto v = b.vertex_at({0.125, 0.25, z});
+      EXPECT_FALSE(b.solid.vertex_degenerate[v]);
+      EXPECT_EQ(b.components_about(v, 0.05), static_cast<std::size_t>(points));
+    }
+  }
+}
+
+TEST(AxisAtVertex, SaddleWithoutRoomBehindIt_IsConnected) {
+  Bench b(test::saddle_roof());
+  const auto v = b.vertex_at({0, 0, 3});
+  std::map<EdgeKind, int> kinds;
+  for (const auto e : b.solid.edges_at(v)) ++kinds[b.solid.edge[e].kind];
+  EXPECT_GE(kinds[EdgeKind::kConvex], 2);
+  EXPECT_GE(kinds[EdgeKind::kReflex], 2);
+  EXPECT_TRUE(b.solid.vertex_degenerate[v]);
+  EXPECT_EQ(b.components_about(v, 0.02), 1u);
+}
+
+TEST(AxisAtVertex, PocketFloorCorner_IsConnectedIfItHasOneSheetOnly) {
+  Bench b(shapes::lpocket());
+  // Reflex corner of the floor: one convex edge, so one sheet, whose rim runs down.
+  EXPECT_EQ(b.components_about(b.vertex_at({2, 2, 1}), 0.02), 1u);
+  // Ordinary corner of the floor: reflex edges only, no sheet.
+  EXPECT_EQ(b.components_about(b.vertex_at({1, 1, 1}), 0.02), 0u);
+}
+
+}  // namespace
+}  // namespace blum
