@@ -4,8 +4,7 @@
 Orthographic, drawn back to front: far faces of the solid, sheets and seams, near faces, edges. The
 triangles of a sheet with one shade are one piece with one outline; the order of the pieces is read
 off a coarse raster that knows what lies over a pixel, and how deep. One liberty is taken: vertices
-that need not lie on the axis (on_axis = 0) move to the mean of their neighbours; seams look ragged
-otherwise. Only the standard library.
+that need not lie on the axis (on_axis = 0) move to the mean of their neighbours, to smooth seams.
 """
 
 import array
@@ -22,24 +21,22 @@ from itertools import combinations
 
 # Arguments of `blum make`; azimuth and elevation of the eye, in degrees; pixels per unit of length.
 BOX = ("cuboid 1 2 3", 32, 24, 100)
-BRACKET = ("lbracket", -58, 28, 80)
+BRACKET = ("lbracket", -62, 33, 80)
 PLATE = ("plate 2 16 2 0.4", -62, 55, 125)
 PICTURES = {"overview": [BOX, BRACKET, PLATE], "lbracket": [BRACKET], "plate": [PLATE]}
 OPTIONS = "--resolve --epsilon 0.03"
-HUES = (0.58, 0.08, 0.40, 0.95, 0.13, 0.76, 0.50, 0.03)
-SHADES = 8  # steps of brightness to either side of the middle
+PALETTE = ((0.58, 0.42), (0.08, 0.62), (0.40, 0.38), (0.95, 0.42), (0.13, 0.62), (0.76, 0.30),
+           (0.50, 0.42), (0.03, 0.55))  # hue, saturation
 LIGHT = (-0.35, -0.75, 0.56)  # towards the light: right, down, towards the eye
-STEP = 2.0  # a pixel of the raster, in pixels of the picture
+SHADES, STEP = 8, 2.0  # levels of brightness below and above the mean; size of a raster pixel
 STYLE = """<style>
 path { stroke-linejoin: round; stroke-width: 0.7; fill: none; fill-rule: evenodd; }
-.edge, .hidden { stroke: #34495e; }
 .far { fill: #dfe7ee; }
 .near { fill: #9fb8cc; fill-opacity: 0.15; }
 .seam { stroke: #16202b; stroke-width: 1.3; stroke-linecap: round; }
-.edge { stroke-width: 1.6; stroke-linecap: round; }
-.hidden { stroke-opacity: 0.45; }
-</style>
-<rect width="100%" height="100%" fill="white"/>"""
+.edge { stroke: #34495e; stroke-width: 1.6; stroke-linecap: round; }
+.hidden { stroke: #34495e; stroke-opacity: 0.45; }
+</style><rect width="100%" height="100%" fill="white"/>"""
 
 
 def dot(a, b):
@@ -80,8 +77,8 @@ def compute(blum, make):
     arrays = {}
     for section in root.iterfind(".//DataArray/.."):
         for element in section.iterfind("DataArray"):
-            data = base64.b64decode(element.text)[8:]  # after the length
-            values = array.array(codes[element.get("type")], data).tolist()
+            values = base64.b64decode(element.text)[8:]  # after the length
+            values = array.array(codes[element.get("type")], values).tolist()
             arrays[section.tag + "/" + element.get("Name")] = values
     return arrays
 
@@ -98,20 +95,19 @@ def calmed(points, on_axis, lines, triangles):
 
 
 def colours(triangles, sheet):
-    """{sheet: hue}; neighbours differ, and all hues are used."""
+    """{sheet: (hue, saturation)}; neighbours differ, and all are used."""
     at = grouped((v, s) for t, s in zip(triangles, sheet) for v in t)
     chosen = {}
-    for s in sorted(set(sheet)):
+    for s, _ in Counter(sheet).most_common():
         taken = {chosen.get(n) for sheets in at.values() if s in sheets for n in sheets}
-        chosen[s] = min(HUES, key=lambda c: (c in taken, list(chosen.values()).count(c)))
+        chosen[s] = min(PALETTE, key=lambda c: (c in taken, list(chosen.values()).count(c)))
     return chosen
 
 
 def surface(points, triangles, style):
     """SVG (the outline: edges with an odd number of triangles) and raster of a piece of surface."""
-    count = Counter(e for t in triangles for e in edges(t))
+    count, paths = Counter(e for t in triangles for e in edges(t)), []
     beside = grouped(e for (a, b), n in count.items() if n % 2 for e in ((a, b), (b, a)))
-    paths = []
     for start in beside:
         while beside[start]:
             path = [start]
@@ -141,7 +137,7 @@ def stretches(p, q, length, style):
     n = round(math.dist(p, q) / length) or 1
     dense = [tuple(a + (b - a) * k / (8 * n) for a, b in zip(p, q)) for k in range(8 * n + 1)]
     for i in range(0, 8 * n, 8):
-        pixels = {(round(x / STEP), round(y / STEP)): z + 2 * STEP for x, y, z in dense[i:i + 9]}
+        pixels = {(round(x / STEP), round(y / STEP)): z + 3 * STEP for x, y, z in dense[i:i + 9]}
         yield svg_path([[dense[i], dense[i + 8]]], style), pixels
 
 
@@ -186,9 +182,10 @@ def solid(points, triangles):
     for (a, b), (m, n) in beside.items():
         faint = max(m[2], n[2]) <= 0 or dot(m[:3], n[:3]) > 0.8
         for svg, pixels in stretches(points[a], points[b], 6, 'class="edge"') if m != n else ():
-            covered = sum(any(w > z and face not in (m, n) for w, face in over[pixel])
+            covered = sum(any(w > z - 2 * STEP and face not in (m, n) for w, face in over[pixel])
                           for pixel, z in pixels.items())
-            near.append(svg.replace("edge", "hidden") if faint or 2 * covered > len(pixels) else svg)
+            hidden = faint or 2 * covered > len(pixels)
+            near.append(svg.replace("edge", "hidden") if hidden else svg)
     return far, near
 
 
@@ -202,11 +199,11 @@ def axis(points, data, lines, triangles):
     total = {s: [sum(c) for c in zip(*n)] for s, n in grouped(zip(sheet, normals)).items()}
     for (s, *_), part in grouped(zip(zip(sheet, a, b), zip(triangles, normals))).items():
         n = unit([sum(c) for c in zip(*(n for _, n in part))])
-        n = unit(total[s]) if dot(n, unit(total[s])) > 0.98 else n  # a plane sheet has one shade
+        n = unit(total[s]) if dot(n, unit(total[s])) > 0.9 else n  # no shades if almost plane
         pieces[s, round(SHADES * dot(n, LIGHT))] += [t for t, _ in part]
     drawn, bounds = [], {}
     for (which, shade), piece in pieces.items():
-        rgb = colorsys.hls_to_rgb(hue[which], 0.56 + 0.26 * shade / SHADES, 0.47)
+        rgb = colorsys.hls_to_rgb(hue[which][0], 0.56 + 0.26 * shade / SHADES, hue[which][1])
         rgb = "#%02x%02x%02x" % tuple(round(255 * c) for c in rgb)
         drawn.append(surface(points, piece, 'style="fill:%s;stroke:%s"' % (rgb, rgb)))
     at = grouped((e, i) for i, piece in enumerate(pieces.values()) for t in piece for e in edges(t))
@@ -241,12 +238,11 @@ def main():
         height = max(drawn[s][1][3] - drawn[s][1][1] for s in scenes) + 32
         x, text = 16, ""
         for svg, (left, top, right, bottom) in (drawn[s] for s in scenes):
-            at = (x - left, (height - top - bottom) / 2)
-            text += '<g transform="translate(%.1f %.1f)">\n%s\n</g>\n' % (*at, svg)
+            text += '<g transform="translate(%.1f %.1f)">\n%s\n</g>\n' % (
+                x - left, (height - top - bottom) / 2, svg)
             x += right - left + 48
         head = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %.0f %.0f">%s\n'
-        text = head % (x - 32, height, STYLE) + text + "</svg>\n"
-        pathlib.Path(here, name + ".svg").write_text(text)
+        (here / (name + ".svg")).write_text(head % (x - 32, height, STYLE) + text + "</svg>\n")
 
 
 if __name__ == "__main__":

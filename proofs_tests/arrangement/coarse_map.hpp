@@ -21,7 +21,8 @@ class CoarseMap {
  public:
   using Pair = std::array<std::uint32_t, 2>;
 
-  explicit CoarseMap(const FaceDiagram& d) : d_(d), arcs_of_(d.node.size()), parent_(d.node.size()) {
+  explicit CoarseMap(const FaceDiagram& d)
+      : d_(d), arcs_of_(d.node.size()), parent_(d.node.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (std::uint32_t a = 0; a < d.arc.size(); ++a) {
       arcs_of_[d.arc[a].from].push_back(a);
@@ -72,8 +73,8 @@ class CoarseMap {
     return out;
   }
   /// Regions around an inner node, once each.
-  [[nodiscard]] std::set<std::uint32_t> around(std::uint32_t n,
-                                               const std::vector<std::uint32_t>& region_name) const {
+  [[nodiscard]] std::set<std::uint32_t> around(
+      std::uint32_t n, const std::vector<std::uint32_t>& region_name) const {
     std::set<std::uint32_t> out;
     for (const auto a : arcs_of_[n])
       for (const auto r : d_.arc[a].region) out.insert(region_name[r]);
@@ -283,7 +284,8 @@ inline std::string coarse_map_difference(const FaceDiagram& p, const FaceDiagram
       Component& c = part[m.find(n)];
       ++c.euler;
       if (!m.inner(n)) c.terminal.insert(m.name(n));
-      if (const auto it = rim_name.find(n); it != rim_name.end()) c.terminal.insert({2, it->second});
+      if (const auto it = rim_name.find(n); it != rim_name.end())
+        c.terminal.insert({2, it->second});
     }
     for (const FaceArc& a : d.arc) --part[m.find(a.from)].euler;
     std::multiset<Component> all;

@@ -48,8 +48,8 @@ struct Scene {
   Scene(std::string n, const PolygonMesh& mesh) : Scene(std::move(n), build_solid(mesh).value()) {}
 
   [[nodiscard]] double extent() const {
-    return std::max({bounds.hi.x - bounds.lo.x, bounds.hi.y - bounds.lo.y,
-                     bounds.hi.z - bounds.lo.z});
+    return std::max(
+        {bounds.hi.x - bounds.lo.x, bounds.hi.y - bounds.lo.y, bounds.hi.z - bounds.lo.z});
   }
   [[nodiscard]] double working(int axis, double model) const {
     return std::ldexp(model - solid->frame.origin[axis], -solid->frame.exponent);
@@ -106,8 +106,8 @@ struct Scene {
     return out;
   }
   [[nodiscard]] std::vector<SiteId> near(const Rect& r) const {
-    return near_parts(point_on(r.axis, r.level, r.u0, r.v0),
-                      point_on(r.axis, r.level, r.u1, r.v1), 12);
+    return near_parts(point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1),
+                      12);
   }
   [[nodiscard]] std::vector<SiteId> near(const Segment& s) const {
     return near_parts(point_on(s.axis, s.t0, s.u, s.v), point_on(s.axis, s.t1, s.u, s.v), 12);
@@ -133,10 +133,9 @@ inline PolygonMesh cube_minus_octant() {
     return static_cast<std::uint32_t>(m.points.size() - 1);
   };
   using Face = std::vector<Point3>;
-  for (const Face& f :
-       {Face{{0, 0, 2}, {2, 0, 2}, {2, 1, 2}, {1, 1, 2}, {1, 2, 2}, {0, 2, 2}},
-        Face{{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {1, 2, 1}},
-        Face{{0, 0, 0}, {0, 2, 0}, {2, 2, 0}, {2, 0, 0}}})
+  for (const Face& f : {Face{{0, 0, 2}, {2, 0, 2}, {2, 1, 2}, {1, 1, 2}, {1, 2, 2}, {0, 2, 2}},
+                        Face{{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {1, 2, 1}},
+                        Face{{0, 0, 0}, {0, 2, 0}, {2, 2, 0}, {2, 0, 0}}})
     for (int turn = 0; turn < 3; ++turn) {
       m.faces.emplace_back();
       for (const Point3& p : f)
@@ -188,7 +187,8 @@ inline PolygonMesh moved(PolygonMesh mesh) {
 inline std::vector<Scene> catalogue(Random& random) {
   std::vector<Scene> out;
   const auto add = [&](std::string name, const PolygonMesh& mesh) {
-    if (auto solid = build_solid(mesh); solid.ok()) out.emplace_back(name, std::move(solid.value()));
+    if (auto solid = build_solid(mesh); solid.ok())
+      out.emplace_back(name, std::move(solid.value()));
   };
   add("cuboid", shapes::cuboid(4, 3, 2));
   add("square cuboid", shapes::cuboid(4, 2, 2));
@@ -220,8 +220,8 @@ inline std::vector<Scene> catalogue(Random& random) {
   return out;
 }
 
-/// A random point of the solid near its medial axis: away from the nearest site until another one is
-/// nearest. Falls back to a point of the bounding box.
+/// A random point of the solid near its medial axis: away from the nearest site until another one
+/// is nearest. Falls back to a point of the bounding box.
 inline Point3 random_axis_point(Random& random, const Scene& scene) {
   const Box3& b = scene.bounds;
   const auto nearest = [&](const Point3& x, Point3* foot) {
@@ -252,8 +252,8 @@ inline Point3 random_axis_point(Random& random, const Scene& scene) {
   return x;
 }
 
-/// A random point on a rim inside the solid (theory section 1), if there is one: two reflex edges at
-/// a vertex, and the vertex is nearest.
+/// A random point on a rim inside the solid (theory section 1), if there is one: two reflex edges
+/// at a vertex, and the vertex is nearest.
 inline std::optional<Point3> random_rim_point(Random& random, const Scene& scene) {
   const Solid& solid = *scene.solid;
   const auto way = [&](std::uint32_t e) {
@@ -293,8 +293,8 @@ inline std::optional<Point3> random_rim_point(Random& random, const Scene& scene
   return found[random() % found.size()];
 }
 
-/// A rectangle in general position; `size` is about its share of the solid's extent. Most lie across
-/// the medial axis, some across a rim inside the solid.
+/// A rectangle in general position; `size` is about its share of the solid's extent. Most lie
+/// across the medial axis, some across a rim inside the solid.
 inline Rect random_rect(Random& random, const Scene& scene, double size) {
   Rect r;
   r.axis = static_cast<int>(random() % 3);
@@ -320,23 +320,40 @@ inline Rect random_rect(Random& random, const Scene& scene, double size) {
 }
 
 /// Multiples of 1/16 of the extents, coordinates of vertices, middles between them; as they are, an
-/// ulp beside or 1e-12 beside.
-inline double special_coordinate(Random& random, const Scene& scene, int axis) {
+/// ulp beside or 1e-12 beside. A level is not put 1e-12 beside: where a seam runs along the plane
+/// at distance e, the production engine takes about 1/e boxes
+/// (SweepProductionFace.SeamAlongThePlane...).
+inline double special_coordinate(Random& random, const Scene& scene, int axis, bool level = false) {
   const Box3& b = scene.bounds;
-  const auto vertex = [&] { return scene.solid->point[random() % scene.solid->point.size()][axis]; };
+  const auto vertex = [&] {
+    return scene.solid->point[random() % scene.solid->point.size()][axis];
+  };
   double x = 0;
   switch (random() % 4) {
-    case 0: x = b.lo[axis] + (b.hi[axis] - b.lo[axis]) * static_cast<double>(random() % 17) / 16; break;
-    case 1: x = (vertex() + vertex()) / 2; break;
-    case 2: x = (vertex() + vertex() + vertex() + vertex()) / 4; break;
-    case 3: x = uniform(random, b.lo[axis], b.hi[axis]); break;
+    case 0:
+      x = b.lo[axis] + (b.hi[axis] - b.lo[axis]) * static_cast<double>(random() % 17) / 16;
+      break;
+    case 1:
+      x = (vertex() + vertex()) / 2;
+      break;
+    case 2:
+      x = (vertex() + vertex() + vertex() + vertex()) / 4;
+      break;
+    case 3:
+      x = uniform(random, b.lo[axis], b.hi[axis]);
+      break;
   }
-  switch (random() % 6) {
-    case 0: return std::abs(x) > 1e-6 ? std::nextafter(x, 10) : x + 0x1p-53;
-    case 1: return std::abs(x) > 1e-6 ? std::nextafter(x, -10) : x - 0x1p-53;
-    case 2: return x + 1e-12;
-    case 3: return x - 1e-12;
-    default: return x;
+  switch (level ? random() % 4 : random() % 6) {
+    case 0:
+      return std::abs(x) > 1e-6 ? std::nextafter(x, 10) : x + 0x1p-53;
+    case 1:
+      return std::abs(x) > 1e-6 ? std::nextafter(x, -10) : x - 0x1p-53;
+    case 4:
+      return x + 1e-12;
+    case 5:
+      return x - 1e-12;
+    default:
+      return x;
   }
 }
 
@@ -345,7 +362,7 @@ inline Rect special_rect(Random& random, const Scene& scene) {
   const double size = 0.4 * scene.extent();
   Rect r;
   r.axis = static_cast<int>(random() % 3);
-  r.level = special_coordinate(random, scene, r.axis);
+  r.level = special_coordinate(random, scene, r.axis, true);
   const auto range = [&](int axis, double& lo, double& hi) {
     if (random() % 2 == 0) {
       const double c = special_coordinate(random, scene, axis);

@@ -18,8 +18,9 @@ struct Outcome {
   void print(const char* what) const {
     const double total = static_cast<double>(stages.filter + stages.extended + stages.exact);
     std::cout << what << ": " << faces << " faces, " << decided << " decided, " << with_ties
-              << " with ties; " << total << " decisions: filter " << 100 * double(stages.filter) / total
-              << " %, extended " << 100 * double(stages.extended) / total << " %, exact "
+              << " with ties; " << total << " decisions: filter "
+              << 100 * double(stages.filter) / total << " %, extended "
+              << 100 * double(stages.extended) / total << " %, exact "
               << 100 * double(stages.exact) / total << " %\n";
   }
   void expect_rare_exact_stage() const {

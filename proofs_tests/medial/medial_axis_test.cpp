@@ -108,7 +108,7 @@ TEST(DistanceHints, ValidBounds_ChangeNothing) {
     for (const bool resolve : {false, true}) {
       SCOPED_TRACE(scene.name + (resolve ? ", resolved" : ""));
       const Solid solid = test::solid_of(scene.mesh);
-      MedialOptions o = seeded(2, resolve ? 0 : 0.4 * test::extent(scene.mesh.points));
+      MedialOptions o = seeded(2, resolve ? 0 : 0.6 * test::extent(scene.mesh.points));
       o.resolve = resolve;
       const auto plain = compute_medial_axis(solid, o);
       ASSERT_TRUE(plain.ok());

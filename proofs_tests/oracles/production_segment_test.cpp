@@ -1,6 +1,7 @@
 // The production engine on segments against the exact oracle.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <map>
 
@@ -50,6 +51,13 @@ void compare(const Scene& scene, const Segment& s, bool wide, Tally& tally) {
   }
   if (p.status != FaceStatus::kDecided || !b) {
     ++(!b ? p.status == FaceStatus::kDecided ? tally.brute_bad : tally.both_bad : tally.gives_up);
+    if (!b && p.diagram && std::getenv("BLUM_TRACE") != nullptr) {
+      std::cout << "brute alone: " << test::describe(scene, s) << ":";
+      for (const Breakpoint& x : p.diagram->breakpoint)
+        std::cout << ' ' << static_cast<int>(x.kind) << ' ' << x.lo << ".." << x.hi << ' '
+                  << x.below.value << '/' << x.above.value << ' ' << x.triangle << ';';
+      std::cout << '\n';
+    }
     ++tally.reason[std::string(b ? "alone: " : p.diagram ? "brute alone" : "both: ") + p.reason];
     return;
   }

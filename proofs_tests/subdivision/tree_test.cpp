@@ -23,7 +23,7 @@ bool strictly_in(const Box3& b, const Point3& p) {
   return true;
 }
 
-/// A third of the extent and a tenth: trees of some hundred leaves.
+/// Trees of some hundred leaves.
 double fine(const PolygonMesh& mesh) { return 0.2 * test::extent(mesh.points); }
 
 /// Does the triangle, clipped by the box shrunk by `margin`, keep a corner?
@@ -210,7 +210,7 @@ TEST(SubdivisionTree, OtherSeeds_GiveOtherPlanes) {
 
 TEST(SubdivisionTree, CuttingPlanes_MissAllVertices) {
   for (const Scene& scene : test::scenes())
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(scene.name);
       const Subdivided run(scene.mesh, seeded(seed, fine(scene.mesh)));
       ASSERT_TRUE(run.result.ok());

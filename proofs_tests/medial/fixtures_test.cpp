@@ -1,0 +1,37 @@
+// Solids that once got a wrong answer: one file a reported defect.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "blum/kernel/mesh.hpp"
+#include "blum/medial/medial_axis.hpp"
+
+namespace blum {
+namespace {
+
+// Both have a vertex with convex and reflex edges that governs an open set, whose flow ends on the
+// graph: certified with Betti numbers 1 0 1 before such vertices counted in every component that
+// they touch (docs/proofs.md, vertices in a boundary cell).
+TEST(Fixtures, GoverningVertex_BettiNumbersOfTheSolid) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(BLUM_FIXTURES_DIR)) {
+    if (entry.path().filename().string().rfind("vertex_governor_", 0) != 0) continue;
+    ++files;
+    const auto mesh = read_mesh(entry.path());
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    const auto solid = build_solid(mesh.value());
+    ASSERT_TRUE(solid) << solid.error().message;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      MedialOptions options;
+      options.seed = seed;
+      const auto axis = compute_medial_axis(solid.value(), options);
+      ASSERT_TRUE(axis);
+      EXPECT_TRUE(axis.value().certified) << entry.path() << " seed " << seed;
+      EXPECT_EQ(axis.value().betti, solid.value().betti()) << entry.path() << " seed " << seed;
+    }
+  }
+  EXPECT_EQ(files, 2u);
+}
+
+}  // namespace
+}  // namespace blum
