@@ -29,8 +29,13 @@ bool essential_triple(const Setting& s, const std::vector<int>& sites) {
 /// Double bounds of a point, equal if its parameter is a double.
 std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int point) {
   auto [lo, hi] = bounds(fiber.value(point));
+  const auto is_at = [&](double t) {
+    return fiber.vanishes(*s.factor({0, 0, 0, 0, 1, -Rational(t)}), point);
+  };
+  // About 0 there are too many doubles to try; elsewhere the bounds are a few ulps apart.
+  if (lo <= 0 && hi >= 0) return is_at(0) ? std::pair{0.0, 0.0} : std::pair{lo, hi};
   for (double t = lo; t <= hi; t = std::nextafter(t, std::numeric_limits<double>::infinity()))
-    if (fiber.vanishes(*s.factor({0, 0, 0, 0, 1, -Rational(t)}), point)) return {t, t};
+    if (is_at(t)) return {t, t};
   return {lo, hi};
 }
 

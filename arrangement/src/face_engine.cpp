@@ -11,6 +11,9 @@ namespace {
 
 constexpr int kMaxDepth = 90;
 constexpr int kSplitAttempts = 8;
+/// A face in general position needs some ten boxes an event: this many say that a seam runs along
+/// the plane so near that moving the plane is better.
+constexpr std::uint32_t kMaxBoxes = 50'000;
 constexpr std::size_t kMaxGroups = 24;  // more: bisecting is cheaper than testing all pairs
 
 /// A direction w (in the plane) with g . w < 0 for all given vectors, if they span less than pi.
@@ -607,6 +610,7 @@ Trouble FaceEngine::split(Box& box, Box& low, Box& high) {
 
 Trouble FaceEngine::refine(Box box) {
   ++context_.counts.boxes;
+  if (++boxes_ > kMaxBoxes) return {FaceStatus::kUndecided, "face: boxes spent"};
   std::vector<LocalForm> forms;
   prune(context_.geometry, box.candidates, range_of(box), forms);
   Border border = border_of(box);

@@ -105,6 +105,7 @@ class FaceEngine {
   std::map<std::uint32_t, std::uint32_t> trace_element_;          // triangle -> element
   std::map<std::uint32_t, std::uint32_t> convex_node_;            // boundary edge -> node
   std::uint32_t crossings_ = 0;
+  std::uint32_t boxes_ = 0;
 };
 
 }  // namespace blum

@@ -17,6 +17,18 @@ double spread(const BallVector& w, const Range& r) {
 }
 
 constexpr std::size_t kReferences = 6;
+constexpr std::size_t kMeanReferences = 3;
+
+/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range?
+bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& r,
+                       const LocalForm& s, const Range& range) {
+  const Ball half(0.5);
+  const BallVector &na = geometry.unit(a.site), &nr = geometry.unit(r.site),
+                   &ns = geometry.unit(s.site);
+  BallVector d;
+  for (int k = 0; k < 3; ++k) d[k] = na[k] - half * (nr[k] + ns[k]);
+  return (half * (r.height + s.height) - a.height).low() - spread(d, range) > 0;
+}
 
 /// Does every point of the range satisfy w.(x - p) <= 0?
 bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h, const Range& range) {
@@ -192,6 +204,22 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
   std::erase_if(out, [&](const LocalForm& f) {
     for (const LocalForm& r : ref)
       if (r.site != f.site && certainly_farther(geometry, f, r, range)) return true;
+    return false;
+  });
+  // What is farther than the mean of two is farther than one of them at every point. That drops a
+  // face whose distance nowhere reaches a seam between two others (a seam along the range).
+  std::erase_if(ref, [](const LocalForm& f) {
+    return f.kind != SiteKind::kFace || !f.covers_inside;
+  });
+  if (ref.size() < 2 || out.size() < 3) return;
+  if (ref.size() > kMeanReferences) ref.resize(kMeanReferences);
+  std::erase_if(out, [&](const LocalForm& f) {
+    if (f.kind != SiteKind::kFace) return false;
+    for (std::size_t r = 0; r < ref.size(); ++r)
+      for (std::size_t s = r + 1; s < ref.size(); ++s)
+        if (f.site != ref[r].site && f.site != ref[s].site &&
+            farther_than_mean(geometry, f, ref[r], ref[s], range))
+          return true;
     return false;
   });
 }

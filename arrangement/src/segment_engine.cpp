@@ -8,6 +8,8 @@ namespace blum {
 namespace {
 
 constexpr int kMaxDepth = 120;
+/// Bisections for all segments of one face: see kMaxBoxes of the face engine.
+constexpr std::uint32_t kMaxSteps = 500'000;
 constexpr int kSplitAttempts = 8;
 
 Point3 at(const Segment& s, double t) { return point_on(s.axis, t, s.u, s.v); }
@@ -84,6 +86,7 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
       return {};
     }
   }
+  if (++steps_ > kMaxSteps) return {FaceStatus::kUndecided, "segment: steps spent"};
   if (depth >= kMaxDepth) return {FaceStatus::kUndecided, "segment: depth spent"};
   std::vector<SiteId> kept;
   kept.reserve(forms.size());

@@ -40,6 +40,7 @@ class SegmentEngine {
  private:
   EngineContext& context_;
   std::vector<SiteId> governors_;
+  std::uint32_t steps_ = 0;
 };
 
 }  // namespace blum

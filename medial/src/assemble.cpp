@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <array>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -22,7 +23,7 @@ class Assembler {
         solid_(geometry.solid()),
         subdivision_(subdivision),
         engines_(engines),
-        locator_(geometry, engines.production()) {}
+        locator_(geometry, engines.production(), engines.inside()) {}
 
   Assembly run();
 
@@ -309,6 +310,26 @@ void Assembler::add_leaf(std::uint32_t index) {
     sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
     n += 1;
   }
+  const auto to_working = [&](const Point3& p) {
+    Point3 x;
+    for (int k = 0; k < 3; ++k)
+      x[k] = std::ldexp(p[k] - solid_.frame.origin[k], -solid_.frame.exponent);
+    return x;
+  };
+  const auto nearest_base = [&](std::uint32_t component, const Point3& x) {
+    Point3 best = x;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto v : vertices) {
+      if (components.find(local.at(v)) != component || complex_.vertex[v].radius == 0) continue;
+      const Point3 y = to_working(complex_.vertex[v].position);
+      const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
+      if (d < least && engines_.inside().locate(y) == InsideOracle::Where::kInside) {
+        least = d;
+        best = y;
+      }
+    }
+    return best;
+  };
   for (const auto& [component, c] : center) {
     Placed placed;
     if (conical) {
@@ -316,13 +337,11 @@ void Assembler::add_leaf(std::uint32_t index) {
       placed.on_axis = true;
       placed.governors = {geometry_.index().vertex(leaf.boundary_vertex)};
     } else {
-      const Point3& o = solid_.frame.origin;
-      Point3 x;
-      for (int k = 0; k < 3; ++k) {
-        const double mean = c.first[k] / c.second;
-        x[k] = std::clamp(std::ldexp(mean - o[k], -solid_.frame.exponent), leaf.box.lo[k],
-                          leaf.box.hi[k]);
-      }
+      Point3 x = to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
+      for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
+      // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
+      if (engines_.inside().locate(x) != InsideOracle::Where::kInside)
+        x = nearest_base(component, x);
       placed = locator_.anywhere(x, leaf.candidates);
     }
     ComplexCone cone;

@@ -69,13 +69,32 @@ Placed Locator::event(const Rect& rect, const FaceNode& node,
                hi = point_on(rect.axis, rect.level, node.u1, node.v1);
   const auto groups = engine_.tie_groups(candidates, lo, hi);
   const CommonPoint c = common_point(geometry_, groups, lo, hi);
-  Placed p = anywhere(groups.size() >= 2
-                          ? c.point
-                          : point_on(rect.axis, rect.level, 0.5 * (node.u0 + node.u1),
-                                     0.5 * (node.v0 + node.v1)),
-                      candidates);
-  p.on_axis = c.gap <= kTieTolerance;
-  return p;
+  if (c.gap <= kTieTolerance) {
+    Placed p = anywhere(c.point, candidates);
+    p.on_axis = true;
+    return p;
+  }
+  // Several events, or none that is a common point: from the middle outwards.
+  constexpr int kSteps = 8;
+  const auto inside = [&](const Point3& x) {
+    return inside_.locate(x) == InsideOracle::Where::kInside;
+  };
+  Point3 best = c.point;
+  if (groups.size() < 2 || !inside(best)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kSteps; ++i)
+      for (int j = 0; j <= kSteps; ++j) {
+        const double s = static_cast<double>(i) / kSteps, t = static_cast<double>(j) / kSteps;
+        const Point3 x = point_on(rect.axis, rect.level, node.u0 + s * (node.u1 - node.u0),
+                                  node.v0 + t * (node.v1 - node.v0));
+        const double off = std::hypot(s - 0.5, t - 0.5);
+        if (off < least && inside(x)) {
+          least = off;
+          best = x;
+        }
+      }
+  }
+  return anywhere(best, candidates);
 }
 
 Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const SiteId> candidates) {

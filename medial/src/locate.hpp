@@ -7,6 +7,7 @@
 
 #include "blum/arrangement/face_diagram.hpp"
 #include "blum/arrangement/production_engine.hpp"
+#include "blum/kernel/inside.hpp"
 #include "blum/kernel/site_geometry.hpp"
 
 namespace blum {
@@ -23,13 +24,14 @@ inline constexpr double kTieTolerance = 1e-11;
 
 class Locator {
  public:
-  Locator(const SiteGeometry& geometry, ProductionEngine& engine)
-      : geometry_(geometry), engine_(engine) {}
+  Locator(const SiteGeometry& geometry, ProductionEngine& engine, const InsideOracle& inside)
+      : geometry_(geometry), engine_(engine), inside_(inside) {}
 
   /// The essential tie isolated by a breakpoint of a segment.
   [[nodiscard]] Placed tie(const Segment& line, const Breakpoint& breakpoint,
                            std::span<const SiteId> candidates);
-  /// An event or cluster of a face.
+  /// An event or cluster of a face. Where no common point of its groups is found: a point of its
+  /// rectangle inside the solid, not on the axis.
   [[nodiscard]] Placed event(const Rect& rect, const FaceNode& node,
                              std::span<const SiteId> candidates);
   [[nodiscard]] Placed rim(const Rect& rect, const FaceNode& node,
@@ -42,6 +44,7 @@ class Locator {
  private:
   const SiteGeometry& geometry_;
   ProductionEngine& engine_;
+  const InsideOracle& inside_;
 };
 
 }  // namespace blum

@@ -234,10 +234,7 @@ TEST(AssembledComplex, Box_LiesOnTheKnownAxis) {
   EXPECT_GT(checked, 100u);
 }
 
-// Fails: Locator::event puts a cluster that is no single event in the middle of its rectangle and
-// add_leaf an apex in the mean of its base, both also outside the solid, where the leaf's candidates
-// are not complete and `radius` need not be the distance to the boundary.
-TEST(DISABLED_AssembledComplex, VerticesOffTheAxis_LieInTheSolidWithTheirRadius) {
+TEST(AssembledComplex, VerticesOffTheAxis_LieInTheSolidWithTheirRadius) {
   for (const Scene& scene : test::scenes()) {
     SCOPED_TRACE(scene.name);
     Subdivided run(scene.mesh, seeded(4, 0.25 * test::extent(scene.mesh.points)));
