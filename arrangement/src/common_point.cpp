@@ -93,4 +93,28 @@ CommonPoint common_point(const SiteGeometry& geometry, std::span<const std::vect
   return best;
 }
 
+bool feet_span(const SiteGeometry& geometry, std::span<const std::vector<SiteId>> groups,
+               const Point3& x) {
+  std::vector<Vector> direction;
+  for (const auto& g : groups) {
+    const Nearest n = nearest(geometry, g, x);
+    direction.push_back({(n.foot.x - x.x) / n.distance, (n.foot.y - x.y) / n.distance,
+                         (n.foot.z - x.z) / n.distance});
+  }
+  const auto minus = [&](std::size_t i) {
+    return Vector{direction[i][0] - direction[0][0], direction[i][1] - direction[0][1],
+                  direction[i][2] - direction[0][2]};
+  };
+  for (std::size_t i = 1; i < direction.size(); ++i)
+    for (std::size_t j = i + 1; j < direction.size(); ++j)
+      for (std::size_t k = j + 1; k < direction.size(); ++k) {
+        const Vector a = minus(i), b = minus(j), c = minus(k);
+        const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) -
+                              a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                              a[2] * (b[0] * c[1] - b[1] * c[0]);
+        if (std::abs(volume) > 1e-6) return true;
+      }
+  return false;
+}
+
 }  // namespace blum

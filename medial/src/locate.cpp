@@ -40,22 +40,23 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
                     std::span<const SiteId> candidates) {
   const auto at = [&](double t) { return point_on(line.axis, t, line.u, line.v); };
   double lo = breakpoint.lo, hi = breakpoint.hi;
+  // The groups that hold the governors below and above; a shorter list of candidates may have
+  // isolated the tie than is at hand here, so other groups may show, but they govern nothing.
   const auto groups = engine_.tie_groups(candidates, at(lo), at(hi));
-  if (groups.size() != 2) {
-    Placed p = anywhere(at(0.5 * lo + 0.5 * hi), candidates);
-    p.on_axis = p.governors.size() > 1 && hi - lo <= 4 * kTieTolerance;
-    return p;
-  }
-  const auto gap = [&](double t) {
-    return nearest(geometry_, groups[0], at(t)).distance -
-           nearest(geometry_, groups[1], at(t)).distance;
+  const auto group_of = [&](SiteId s) {
+    for (const auto& g : groups)
+      if (std::find(g.begin(), g.end(), s) != g.end()) return g;
+    return std::vector<SiteId>{s};
   };
-  // The gap is monotone on the isolating interval (that is how it was isolated): bisection.
-  const bool rises = gap(lo) < gap(hi);
+  const auto below = group_of(breakpoint.below), above = group_of(breakpoint.above);
+  const auto gap = [&](double t) {
+    return nearest(geometry_, below, at(t)).distance - nearest(geometry_, above, at(t)).distance;
+  };
+  // The gap rises from the governor below to the one above: bisection.
   for (int k = 0; k < 200; ++k) {
     const double m = 0.5 * lo + 0.5 * hi;
     if (!(m > lo && m < hi)) break;
-    ((gap(m) > 0) == rises ? hi : lo) = m;
+    (gap(m) > 0 ? hi : lo) = m;
   }
   const double t = 0.5 * lo + 0.5 * hi;
   Placed p = anywhere(at(t), candidates);

@@ -19,6 +19,9 @@ GraphShape graph_shape(std::uint32_t nodes, std::span<const std::array<std::uint
   }
   if (branching.empty()) return ends == 0 ? GraphShape::kLoop : GraphShape::kPath;
 
+  if (branching.size() == 1 && ends == 1 && incident[branching.front()].size() == 3)
+    return GraphShape::kRimEnd;
+
   // Walk from each branching node along every arc to the next node that is not of degree 2.
   std::map<std::array<std::uint32_t, 2>, int> joined;
   for (const auto start : branching) {

@@ -171,8 +171,10 @@ bool Subdivider::one_junction(const Cell& cell,
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   const Box3& box = result_.node[cell.node].box;
   const auto groups = engines_.production().tie_groups(labels, box.lo, box.hi);
-  return groups.size() >= 4 &&
-         common_point(geometry_, groups, box.lo, box.hi).gap <= kCommonTolerance;
+  if (groups.size() < 4) return false;
+  const CommonPoint c = common_point(geometry_, groups, box.lo, box.hi);
+  // Four feet that span space: an ordinary junction, and the cell holds something beside it.
+  return c.gap <= kCommonTolerance && (groups.size() > 4 || !feet_span(geometry_, groups, c.point));
 }
 
 bool Subdivider::connected_at(std::uint32_t vertex) {

@@ -21,6 +21,11 @@ struct CommonPoint {
                                        std::span<const std::vector<SiteId>> groups,
                                        const Point3& lo, const Point3& hi);
 
+/// Do the feet of x on the groups span space, clearly (volume above 1e-6 of the cubed distance)?
+/// They do at an ordinary junction, not where seams touch.
+[[nodiscard]] bool feet_span(const SiteGeometry& geometry,
+                             std::span<const std::vector<SiteId>> groups, const Point3& x);
+
 /// A gap this small says "one point" when clusters are read (working units: the extent is 1).
 inline constexpr double kCommonTolerance = 1e-13;
 

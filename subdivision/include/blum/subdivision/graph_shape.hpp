@@ -13,6 +13,7 @@ enum class GraphShape : std::uint8_t {
   kPath,      ///< a half-disk of one sheet with a rim
   kSeam,      ///< k >= 3 arcs between two nodes: a seam passes
   kJunction,  ///< the complete graph on four nodes
+  kRimEnd,    ///< a loop with a tail: a rim inside the solid ends in a seam, which ends there too
   kOther,
 };
 
