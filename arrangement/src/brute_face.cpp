@@ -235,6 +235,18 @@ class Assembler {
 
 }  // namespace
 
+namespace {
+
+FaceDiagram failed(const Rect& rect, FaceStatus status, const char* reason) {
+  FaceDiagram d;
+  d.rect = rect;
+  d.status = status;
+  d.reason = reason;
+  return d;
+}
+
+}  // namespace
+
 FaceDiagram brute_face(const FaceProblem& problem) {
   FaceDiagram out;
   out.rect = problem.rect;
@@ -249,11 +261,9 @@ FaceDiagram brute_face(const FaceProblem& problem) {
     }
     Assembler(problem, out).run();
   } catch (const BadPosition& e) {
-    FaceDiagram bad;
-    bad.rect = problem.rect;
-    bad.status = FaceStatus::kBadPosition;
-    bad.reason = e.what();
-    return bad;
+    return failed(problem.rect, FaceStatus::kBadPosition, e.what());
+  } catch (const PrecisionSpent& e) {
+    return failed(problem.rect, FaceStatus::kUndecided, e.what());
   }
   return out;
 }

@@ -26,7 +26,11 @@ Rational between(const Real& lo, const Real& hi, int attempt) {
   Rational out;
   bool found = false;
   for (slong bits = 8; !found; bits *= 2) {
-    BLUM_CHECK(bits < 4096);
+    if (bits >= 4096) {
+      fmpz_clear(mantissa);
+      fmpz_clear(exponent);
+      throw PrecisionSpent("critical abscissae closer than 2^-2048");
+    }
     Real x, error;
     arf_set_round(arb_midref(x.get()), arb_midref(wide.get()), bits, ARF_RND_NEAR);
     if (!lo.below(x) || !x.below(hi)) continue;

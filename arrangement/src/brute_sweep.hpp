@@ -13,6 +13,11 @@
 
 namespace blum::brute {
 
+/// Two critical abscissae lie too close to find a number between them: nothing is decided.
+struct PrecisionSpent : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The rectangle is in bad position; what() says why.
 struct BadPosition : std::runtime_error {
   using std::runtime_error::runtime_error;

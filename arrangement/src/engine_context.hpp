@@ -23,6 +23,12 @@ struct EngineContext {
   std::uint64_t seed;
   EngineCounts counts;
   bool part_clusters = false;
+  /// May parts that bounds cannot decide go to brute_engine.hpp? Its test of what is inside walks
+  /// the whole boundary for each part, which large solids cannot afford.
+  [[nodiscard]] bool exact_affordable() const {
+    constexpr std::size_t kMaxTriangles = 512;
+    return geometry.solid().triangle.size() <= kMaxTriangles;
+  }
 
   /// Predicates::never_essential and unit_difference, remembered.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);

@@ -10,6 +10,10 @@ namespace blum {
 namespace {
 
 constexpr int kMaxDepth = 90;
+/// A part this many bisections deep is asked of exact algebra, once: an event in general position
+/// has passed long before.
+constexpr int kExactDepth = 32;
+constexpr std::uint32_t kMaxExactParts = 12;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
 /// the plane so near that moving the plane is better.
@@ -47,12 +51,21 @@ FaceEngine::Line FaceEngine::make_line(const SegmentDiagram& diagram) {
   line.segment = diagram.segment;
   for (const Breakpoint& b : diagram.breakpoint) line.brk.push_back({b, 0});
   for (const auto& i : diagram.interval) {
-    const auto e = region_.add();
-    component_.add();
-    element_label_.emplace_back();
-    line.piece.push_back({i.inside, i.witness, e});
+    line.piece.push_back({i.inside, i.witness, new_element()});
   }
   return line;
+}
+
+std::uint32_t FaceEngine::new_element() {
+  component_.add();
+  element_label_.emplace_back();
+  return region_.add();
+}
+
+std::uint32_t FaceEngine::trace_element(std::uint32_t triangle) {
+  const auto [it, fresh] = trace_element_.try_emplace(triangle, 0u);
+  if (fresh) it->second = new_element();
+  return it->second;
 }
 
 std::uint32_t FaceEngine::new_node(FaceNode::Kind kind, const Box& box) {
@@ -299,18 +312,7 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
       ends.push_back({node, g.front(), g.back()});
       continue;
     }
-    std::uint32_t element;
-    if (s.kind == Step::Kind::kInterval) {
-      element = s.id;
-    } else {
-      const auto [it, fresh] = trace_element_.try_emplace(s.id, 0u);
-      if (fresh) {
-        it->second = region_.add();
-        component_.add();
-        element_label_.emplace_back();
-      }
-      element = it->second;
-    }
+    const auto element = s.kind == Step::Kind::kInterval ? s.id : trace_element(s.id);
     if (run == Breakpoint::kNone) {
       run = element;
       runs.push_back(element);
@@ -615,6 +617,10 @@ Trouble FaceEngine::refine(Box box) {
   prune(context_.geometry, box.candidates, range_of(box), forms);
   Border border = border_of(box);
   if (accept(box, forms, border)) return {};
+  if (box.depth == kExactDepth && context_.exact_affordable()) {
+    if (++exact_parts_ > kMaxExactParts) return {FaceStatus::kUndecided, "face: exact parts spent"};
+    if (accept_exact(box, forms)) return {};
+  }
   if (box.depth >= kMaxDepth) return {FaceStatus::kUndecided, "face: depth spent"};
   box.candidates.clear();
   for (const LocalForm& f : forms) box.candidates.push_back(f.site);

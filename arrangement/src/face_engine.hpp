@@ -66,6 +66,10 @@ class FaceEngine {
 
   [[nodiscard]] Trouble refine(Box box);
   [[nodiscard]] bool accept(const Box& box, std::span<const LocalForm> forms, const Border& border);
+  /// Decides the part by exact algebra; false if that cannot be or takes too many candidates.
+  [[nodiscard]] bool accept_exact(const Box& box, std::span<const LocalForm> forms);
+  [[nodiscard]] std::uint32_t new_element();
+  [[nodiscard]] std::uint32_t trace_element(std::uint32_t triangle);
   [[nodiscard]] bool accept_rim(const Box& box, std::span<const LocalForm> forms,
                                 const Border& border);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
@@ -105,7 +109,7 @@ class FaceEngine {
   std::map<std::uint32_t, std::uint32_t> trace_element_;          // triangle -> element
   std::map<std::uint32_t, std::uint32_t> convex_node_;            // boundary edge -> node
   std::uint32_t crossings_ = 0;
-  std::uint32_t boxes_ = 0;
+  std::uint32_t boxes_ = 0, exact_parts_ = 0;
 };
 
 }  // namespace blum

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 
+#include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
 
 namespace blum {
 namespace {
 
 constexpr int kMaxDepth = 120;
+/// A stretch this many bisections deep is asked of exact algebra, once.
+constexpr int kExactDepth = 40;
+constexpr std::size_t kMaxExactCandidates = 12;
+constexpr std::uint32_t kMaxExactStretches = 24;  // of one segment, or of all cuts of a face
 /// Bisections for all segments of one face: see kMaxBoxes of the face engine.
 constexpr std::uint32_t kMaxSteps = 500'000;
 constexpr int kSplitAttempts = 8;
@@ -40,6 +45,24 @@ std::optional<SiteId> SegmentEngine::governor(const Point3& x,
     for (std::size_t j = i + 1; j < governors_.size(); ++j)
       if (!context_.never_essential(governors_[i], governors_[j])) return std::nullopt;
   return governors_.front();
+}
+
+bool SegmentEngine::isolate_exactly(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+                                    std::span<const LocalForm> forms,
+                                    std::vector<Breakpoint>& out) {
+  if (a.triangle != Breakpoint::kNone || b.triangle != Breakpoint::kNone ||
+      forms.size() > kMaxExactCandidates || !context_.exact_affordable() ||
+      ++exact_stretches_ > kMaxExactStretches)
+    return false;
+  std::vector<SiteId> sites;
+  for (const LocalForm& f : forms) sites.push_back(f.site);
+  std::sort(sites.begin(), sites.end());
+  const auto d = brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t},
+                               sites, {});
+  if (!d) return false;
+  ++context_.counts.exact_stretches;
+  out.insert(out.end(), d->breakpoint.begin(), d->breakpoint.end());
+  return true;
 }
 
 Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const StretchEnd& b,
@@ -86,6 +109,7 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
       return {};
     }
   }
+  if (depth == kExactDepth && isolate_exactly(line, a, b, forms, out)) return {};
   if (++steps_ > kMaxSteps) return {FaceStatus::kUndecided, "segment: steps spent"};
   if (depth >= kMaxDepth) return {FaceStatus::kUndecided, "segment: depth spent"};
   std::vector<SiteId> kept;
@@ -93,7 +117,10 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
   for (const LocalForm& f : forms) kept.push_back(f.site);
   for (int attempt = 0; attempt < kSplitAttempts; ++attempt) {
     const double m = context_.split(a.t, b.t, attempt);
-    if (!(m > a.t && m < b.t)) return {FaceStatus::kUndecided, "segment: resolution spent"};
+    if (!(m > a.t && m < b.t)) {
+      if (depth < kExactDepth && isolate_exactly(line, a, b, forms, out)) return {};
+      return {FaceStatus::kUndecided, "segment: resolution spent"};
+    }
     const Point3 x = at(line, m);
     // A stretch that ends on ∂O is only known up to the enclosure of the crossing: m must be
     // exactly on the solid's side of it.

@@ -38,9 +38,14 @@ class SegmentEngine {
   [[nodiscard]] std::optional<SiteId> governor(const Point3& x, std::span<const SiteId> candidates);
 
  private:
+  /// The same by exact algebra, for a stretch that bounds cannot decide; false if that cannot be.
+  [[nodiscard]] bool isolate_exactly(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+                                     std::span<const LocalForm> forms,
+                                     std::vector<Breakpoint>& out);
+
   EngineContext& context_;
   std::vector<SiteId> governors_;
-  std::uint32_t steps_ = 0;
+  std::uint32_t steps_ = 0, exact_stretches_ = 0;
 };
 
 }  // namespace blum

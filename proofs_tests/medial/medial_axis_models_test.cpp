@@ -93,7 +93,7 @@ void check_rotated(const std::vector<test::Scene>& solids,
 }
 
 TEST(GeneratedSolids, Rotated_AreCertified) { check_rotated(generated(), {1}, {1}); }
-TEST(DISABLED_GeneratedSolids, WithInnerCornersRotated_AreCertified) {
+TEST(GeneratedSolids, WithInnerCornersRotated_AreCertified) {
   check_rotated(with_inner_corners(), {1}, {1});
 }
 TEST(SweepGeneratedSolids, SeveralSeedsAndRotations_AreCertified) {

@@ -160,7 +160,8 @@ TEST(GraphShape, SubdividedJunctionLessAnyPart_IsNoJunction) {
 RC_GTEST_PROP(GraphShape, PendantEdge_TurnsLoopIntoRimEndAndOthersIntoOther, ()) {
   const auto all = cases();
   const Case& c = all[*rc::gen::inRange<std::size_t>(0, all.size())];
-  RC_PRE(c.expected != GraphShape::kPath);
+  // An edge at the end of a path or of a tail only makes it longer.
+  RC_PRE(c.expected != GraphShape::kPath && c.expected != GraphShape::kRimEnd);
   Graph g = disguised(c.graph, *rc::gen::arbitrary<unsigned>(), *rc::gen::inRange(0, 6));
   const auto at = *rc::gen::inRange<Index>(0, g.nodes);
   g = with(g, {{at, g.nodes}});

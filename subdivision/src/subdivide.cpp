@@ -29,6 +29,7 @@ namespace {
 /// A cell with more candidates is split untested: its test would cost more than its children's.
 constexpr std::size_t kMaxCandidates = 96;
 constexpr int kPlaneAttempts = 8;
+constexpr std::size_t kIsolated = 16;
 /// Resolving stops at cells of this fraction of the box: what is left is a degenerate junction or
 /// one that cannot be told from it by sight.
 constexpr double kResolveFraction = 0x1p-20;
@@ -357,7 +358,11 @@ Result<Subdivision> Subdivider::run() {
       undecided(UndecidedReason::kCells);
       continue;
     }
-    if (!split(cell, small)) undecided(UndecidedReason::kFaceUndecided);
+    if (split(cell, small)) continue;
+    // No plane here could be decided: smaller cells keep the trouble to where it is, until little
+    // else is left in them.
+    if (cell.candidates.size() > kIsolated && split(cell, false)) continue;
+    undecided(UndecidedReason::kFaceUndecided);
   }
   result_.stats.stages = engines_.production().predicates().stages();
   result_.stats.faces_computed = engines_.cache().faces_computed();

@@ -25,6 +25,7 @@ namespace blum {
 /// Counts of the work done, for benchmarks and tests.
 struct EngineCounts {
   std::uint64_t segments = 0, faces = 0, boxes = 0, clusters = 0, rims = 0;
+  std::uint64_t exact_parts = 0, exact_stretches = 0;  ///< decided by exact algebra
 };
 
 /// Not thread-safe: one object a thread. Answers do not depend on what was asked before.
