@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -163,9 +162,10 @@ Command add_medial_command(CLI::App& app) {
       ->capture_default_str();
   medial->add_flag("--resolve", options.resolve,
                    "Refine until no avoidable cluster node is left (for counting sheets)");
-  medial->add_option("--epsilon", arguments->epsilon,
-                     "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
-                     "the diagonal; 0: as coarse as the topology allows")
+  medial
+      ->add_option("--epsilon", arguments->epsilon,
+                   "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
+                   "the diagonal; 0: as coarse as the topology allows")
       ->capture_default_str();
   medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{

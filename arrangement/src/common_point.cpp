@@ -10,21 +10,6 @@
 namespace blum {
 namespace {
 
-struct Nearest {
-  double distance = std::numeric_limits<double>::infinity();
-  Point3 foot;
-};
-
-Nearest nearest(const SiteGeometry& geometry, std::span<const SiteId> sites, const Point3& x) {
-  Nearest best;
-  for (const SiteId s : sites) {
-    const Point3 y = closest_point(geometry, s, x);
-    const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
-    if (d < best.distance) best = {d, y};
-  }
-  return best;
-}
-
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
 
@@ -60,13 +45,13 @@ CommonPoint common_point(const SiteGeometry& geometry, std::span<const std::vect
   for (int k = 0; k < 3; ++k) x[k] = 0.5 * lo[k] + 0.5 * hi[k];
   best.point = x;
   for (int iteration = 0; iteration < kIterations && best.gap > 0; ++iteration) {
-    const Nearest first = nearest(geometry, groups[0], x);
+    const NearestFoot first = nearest_foot(geometry, groups[0], x);
     if (!(first.distance > 0)) break;
     Matrix normal{};
     Vector rhs{}, step{};
     double gap = 0;
     for (std::size_t g = 1; g < groups.size(); ++g) {
-      const Nearest other = nearest(geometry, groups[g], x);
+      const NearestFoot other = nearest_foot(geometry, groups[g], x);
       if (!(other.distance > 0)) return best;
       const double difference = first.distance - other.distance;
       gap = std::max(gap, std::abs(difference));
@@ -97,7 +82,7 @@ bool feet_span(const SiteGeometry& geometry, std::span<const std::vector<SiteId>
                const Point3& x) {
   std::vector<Vector> direction;
   for (const auto& g : groups) {
-    const Nearest n = nearest(geometry, g, x);
+    const NearestFoot n = nearest_foot(geometry, g, x);
     direction.push_back({(n.foot.x - x.x) / n.distance, (n.foot.y - x.y) / n.distance,
                          (n.foot.z - x.z) / n.distance});
   }

@@ -57,8 +57,8 @@ struct Groups {
 /// Enclosure of the derivative of d_a - d_b, up to a positive factor, valid wherever in the range a
 /// and b tie; `spread` bounds how much direction . (x - center) part varies.
 struct PairSlope {
-  BallVector gradient;           ///< at the centre
-  bool constant = false;         ///< two faces: the same everywhere
+  BallVector gradient;    ///< at the centre
+  bool constant = false;  ///< two faces: the same everywhere
 };
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b);
 

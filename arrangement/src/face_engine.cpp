@@ -25,8 +25,8 @@ std::optional<std::array<double, 2>> opposite(std::span<const std::array<double,
   const auto& first = g.front();
   double lo = 0, hi = 0;
   for (const auto& x : g) {
-    const double angle = std::atan2(first[0] * x[1] - first[1] * x[0],
-                                    first[0] * x[0] + first[1] * x[1]);
+    const double angle =
+        std::atan2(first[0] * x[1] - first[1] * x[0], first[0] * x[0] + first[1] * x[1]);
     lo = std::min(lo, angle);
     hi = std::max(hi, angle);
   }
@@ -144,9 +144,9 @@ bool FaceEngine::in_box(const TracePoint& p, const Box& box) {
   const Rect& r = problem_.rect;
   const auto side = [&](int axis, const Ball& approx, double value) {
     const int quick = (approx - Ball(value)).sign();
-    return quick != 2 ? quick
-                      : context_.predicates.compare_edge_crossing(p.edge, r.axis, r.level, axis,
-                                                                  value);
+    return quick != 2
+               ? quick
+               : context_.predicates.compare_edge_crossing(p.edge, r.axis, r.level, axis, value);
   };
   return side(u_, p.u, box.u0) > 0 && side(u_, p.u, box.u1) < 0 && side(v_, p.v, box.v0) > 0 &&
          side(v_, p.v, box.v1) < 0;
@@ -507,8 +507,10 @@ Trouble FaceEngine::cut(const Line& line, double m, const Box& box, Line& low, L
     const int side = context_.predicates.plane_side(x, b.triangle);
     if (side == 0) return {FaceStatus::kBadPosition, "split on the boundary"};
     const bool enters = !line.piece[k].inside;  // going up, the solid begins here
-    if ((side < 0) == enters) first = k + 1;
-    else break;
+    if ((side < 0) == enters)
+      first = k + 1;
+    else
+      break;
   }
   std::size_t last = first;
   while (last < line.brk.size() && line.brk[last].point.kind == Breakpoint::Kind::kTie) ++last;
@@ -717,8 +719,7 @@ FaceDiagram FaceEngine::assemble(const Box& root) {
     for (const Piece1& p : root.side[s].piece)
       d.side_region[s].push_back(p.inside ? region_index[region_.find(p.element)]
                                           : FaceDiagram::kOutside);
-  for (const auto& [t, e] : trace_element_)
-    d.trace.push_back({t, region_index[region_.find(e)]});
+  for (const auto& [t, e] : trace_element_) d.trace.push_back({t, region_index[region_.find(e)]});
   const Border border = border_of(root);
   for (const Circle& c : border.circle)
     for (const Step& s : c)

@@ -46,8 +46,8 @@ class FaceEngine {
   /// One step along the border of a component of box ∩ O.
   struct Step {
     enum class Kind : std::uint8_t { kInterval, kTie, kTrace, kConvexEdge } kind;
-    std::uint32_t id = 0;   // element | node | triangle | boundary edge
-    SiteId label{};         // kInterval, kTrace
+    std::uint32_t id = 0;  // element | node | triangle | boundary edge
+    SiteId label{};        // kInterval, kTrace
   };
   using Circle = std::vector<Step>;
   struct Border {
@@ -100,14 +100,14 @@ class FaceEngine {
   SegmentEngine segments_;
   int u_ = 0, v_ = 0;
 
-  UnionFind region_, component_;                   // over elements
+  UnionFind region_, component_;                    // over elements
   std::vector<std::vector<SiteId>> element_label_;  // per element
   std::vector<Node> nodes_;
   std::vector<FaceArc> arcs_;
   std::vector<TracePoint> trace_point_;
   std::map<std::uint32_t, std::array<std::uint32_t, 2>> trace_;  // triangle -> its trace points
-  std::map<std::uint32_t, std::uint32_t> trace_element_;          // triangle -> element
-  std::map<std::uint32_t, std::uint32_t> convex_node_;            // boundary edge -> node
+  std::map<std::uint32_t, std::uint32_t> trace_element_;         // triangle -> element
+  std::map<std::uint32_t, std::uint32_t> convex_node_;           // boundary edge -> node
   std::uint32_t crossings_ = 0;
   std::uint32_t boxes_ = 0, exact_parts_ = 0;
 };

@@ -78,8 +78,12 @@ bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms) 
   for (std::size_t n = 0; n < d.node.size(); ++n) {
     const FaceNode& exact = d.node[n];
     switch (exact.kind) {
-      case FaceNode::Kind::kSide: node[n] = box.side[exact.side].brk[exact.breakpoint].id; break;
-      case FaceNode::Kind::kConvexEdge: node[n] = convex_node(exact.boundary_edge); break;
+      case FaceNode::Kind::kSide:
+        node[n] = box.side[exact.side].brk[exact.breakpoint].id;
+        break;
+      case FaceNode::Kind::kConvexEdge:
+        node[n] = convex_node(exact.boundary_edge);
+        break;
       case FaceNode::Kind::kEvent:
       case FaceNode::Kind::kRim:
         node[n] = new_node(exact.kind, box);

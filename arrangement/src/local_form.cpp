@@ -33,7 +33,8 @@ bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const L
 /// Does every point of the range satisfy w.(x - p) <= 0?
 bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h, const Range& range) {
   return dot(h.w, difference(range.center, geometry.solid().point[h.base])).high() +
-             spread(h.w, range) <= 0;
+             spread(h.w, range) <=
+         0;
 }
 
 /// The range leaves triangle t's prism through prism condition `k` alone. If that edge is flat and
@@ -95,9 +96,9 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
     }
   }
   if (violated > 0)
-    out.covers = violated == 1 && out.kind == SiteKind::kFace &&
-                 covered_with_neighbour(geometry, geometry.index().element(site), last_violated,
-                                        range);
+    out.covers =
+        violated == 1 && out.kind == SiteKind::kFace &&
+        covered_with_neighbour(geometry, geometry.index().element(site), last_violated, range);
   out.covers_inside = out.covers_inside && out.covers;
   const BallVector d = difference(c, geometry.base(site));
   const auto two = Ball(2.0);
@@ -208,9 +209,8 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
   });
   // What is farther than the mean of two is farther than one of them at every point. That drops a
   // face whose distance nowhere reaches a seam between two others (a seam along the range).
-  std::erase_if(ref, [](const LocalForm& f) {
-    return f.kind != SiteKind::kFace || !f.covers_inside;
-  });
+  std::erase_if(ref,
+                [](const LocalForm& f) { return f.kind != SiteKind::kFace || !f.covers_inside; });
   if (ref.size() < 2 || out.size() < 3) return;
   if (ref.size() > kMeanReferences) ref.resize(kMeanReferences);
   std::erase_if(out, [&](const LocalForm& f) {

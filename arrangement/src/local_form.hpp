@@ -12,7 +12,8 @@
 
 namespace blum {
 
-/// A box, rectangle, segment or point: centre and half widths (0 on the axes it does not extend in).
+/// A box, rectangle, segment or point: centre and half widths (0 on the axes it does not extend
+/// in).
 struct Range {
   Point3 center;
   std::array<double, 3> half{};
@@ -54,7 +55,6 @@ struct LocalForm {
 /// Order is kept. `hint`: an upper bound on the distance from the centre to the boundary, known
 /// from elsewhere.
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out,
-           double hint = std::numeric_limits<double>::infinity());
+           std::vector<LocalForm>& out, double hint = std::numeric_limits<double>::infinity());
 
 }  // namespace blum

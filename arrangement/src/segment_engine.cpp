@@ -25,20 +25,19 @@ struct Crossing {
 };
 
 /// Enclosure of the parameter in [t0, t1] where the line pierces a triangle's plane.
-std::array<double, 2> crossing_parameter(const SiteGeometry& g, const Segment& s, std::uint32_t triangle) {
+std::array<double, 2> crossing_parameter(const SiteGeometry& g, const Segment& s,
+                                         std::uint32_t triangle) {
   const SiteId face = g.index().face(triangle);
   const BallVector& n = g.unit(face);
   const Ball h = dot(n, difference(at(s, s.t0), g.base(face)));
-  if (n[s.axis].sign() == 2 || n[s.axis].sign() == 0)
-    return {s.t0, s.t1};
+  if (n[s.axis].sign() == 2 || n[s.axis].sign() == 0) return {s.t0, s.t1};
   const Ball t = Ball(s.t0) - divide(h, n[s.axis]);
   return {std::max(s.t0, t.low()), std::min(s.t1, t.high())};
 }
 
 }  // namespace
 
-std::optional<SiteId> SegmentEngine::governor(const Point3& x,
-                                              std::span<const SiteId> candidates) {
+std::optional<SiteId> SegmentEngine::governor(const Point3& x, std::span<const SiteId> candidates) {
   context_.predicates.governors(x, candidates, governors_);
   BLUM_CHECK(!governors_.empty());
   for (std::size_t i = 0; i < governors_.size(); ++i)
@@ -57,8 +56,8 @@ bool SegmentEngine::isolate_exactly(const Segment& line, const StretchEnd& a, co
   std::vector<SiteId> sites;
   for (const LocalForm& f : forms) sites.push_back(f.site);
   std::sort(sites.begin(), sites.end());
-  const auto d = brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t},
-                               sites, {});
+  const auto d =
+      brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t}, sites, {});
   if (!d) return false;
   ++context_.counts.exact_stretches;
   out.insert(out.end(), d->breakpoint.begin(), d->breakpoint.end());

@@ -47,4 +47,15 @@ double distance_estimate(const SiteGeometry& geometry, SiteId site, const Point3
   return std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
 }
 
+NearestFoot nearest_foot(const SiteGeometry& geometry, std::span<const SiteId> sites,
+                         const Point3& x) {
+  NearestFoot best;
+  for (const SiteId s : sites) {
+    const Point3 y = closest_point(geometry, s, x);
+    const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
+    if (d < best.distance) best = {d, y};
+  }
+  return best;
+}
+
 }  // namespace blum

@@ -55,9 +55,7 @@ class Dyadic {
   [[nodiscard]] double to_double_down() const { return arf_get_d(v_, ARF_RND_FLOOR); }
   [[nodiscard]] double to_double_up() const { return arf_get_d(v_, ARF_RND_CEIL); }
   friend int compare(const Dyadic& a, const Dyadic& b) { return arf_cmp(a.v_, b.v_); }
-  friend int compare_absolute(const Dyadic& a, const Dyadic& b) {
-    return arf_cmpabs(a.v_, b.v_);
-  }
+  friend int compare_absolute(const Dyadic& a, const Dyadic& b) { return arf_cmpabs(a.v_, b.v_); }
   friend bool operator==(const Dyadic& a, const Dyadic& b) { return arf_equal(a.v_, b.v_) != 0; }
 
  private:

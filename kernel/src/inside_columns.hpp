@@ -36,9 +36,13 @@ class Columns {
       const Item& item = items_[cell_item_[k]];
       if (item.box.hi.z < p.z) break;  // the cell's triangles go from high to low
       switch (hit_above(p, item.triangle, item.box)) {
-        case RayHit::kNone: break;
-        case RayHit::kOnTriangle: return true;
-        case RayHit::kCrosses: crossed(cell_item_[k]); break;
+        case RayHit::kNone:
+          break;
+        case RayHit::kOnTriangle:
+          return true;
+        case RayHit::kCrosses:
+          crossed(cell_item_[k]);
+          break;
       }
     }
     return false;

@@ -38,8 +38,7 @@ double dihedral_deg(const Solid& solid, const SolidEdge& e) {
 double volume(const Solid& solid) {
   double sum = 0;
   for (const SolidTriangle& t : solid.triangle) {
-    sum += dot(solid.point[t.vertex[0]],
-               cross(solid.point[t.vertex[1]], solid.point[t.vertex[2]]));
+    sum += dot(solid.point[t.vertex[0]], cross(solid.point[t.vertex[1]], solid.point[t.vertex[2]]));
   }
   return std::ldexp(sum / 6, 3 * solid.frame.exponent);
 }

@@ -55,9 +55,9 @@ Result<PolygonMesh> read_mesh(const std::filesystem::path& file) {
     return fail(read::make_error(ErrorCode::kFileNotFound, "no such file"));
   }
   if (!std::filesystem::is_regular_file(status)) {
-    return fail(read::make_error(ErrorCode::kNotARegularFile,
-                                 std::filesystem::is_directory(status) ? "a directory, not a file"
-                                                                       : "not a regular file"));
+    return fail(read::make_error(ErrorCode::kNotARegularFile, std::filesystem::is_directory(status)
+                                                                  ? "a directory, not a file"
+                                                                  : "not a regular file"));
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(read::make_error(ErrorCode::kFileUnreadable, "the file cannot be opened"));

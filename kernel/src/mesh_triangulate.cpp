@@ -33,9 +33,8 @@ bool is_planar(std::span<const Point3> points, const Loop& loop) {
   for (std::size_t k = 2; k < loop.size(); ++k) {
     if (exact::collinear(a, b, points[loop[k]])) continue;
     const Point3& c = points[loop[k]];
-    return std::all_of(loop.begin(), loop.end(), [&](std::uint32_t v) {
-      return exact::orient3d(a, b, c, points[v]) == 0;
-    });
+    return std::all_of(loop.begin(), loop.end(),
+                       [&](std::uint32_t v) { return exact::orient3d(a, b, c, points[v]) == 0; });
   }
   return true;
 }
@@ -150,9 +149,8 @@ FaceShape triangulate_face(std::span<const Point3> points, std::span<const std::
   if (all_collinear(points, loop)) return FaceShape::kDegenerate;
   const std::array<exact::Dyadic, 3> normal = newell_normal(points, loop);
   std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-    return compare_absolute(normal[i], normal[j]) > 0;
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int i, int j) { return compare_absolute(normal[i], normal[j]) > 0; });
   for (const int axis : order) {
     const int sense = normal[axis].sign();
     if (sense == 0) break;

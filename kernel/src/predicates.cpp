@@ -161,11 +161,13 @@ bool Predicates::behind(SiteId site, SiteId other) {
     return true;
   };
   switch (index.kind(site)) {
-    case SiteKind::kFace: return behind_plane(i);
+    case SiteKind::kFace:
+      return behind_plane(i);
     case SiteKind::kEdge:
       return s.edge[i].kind == EdgeKind::kReflex && behind_plane(s.edge[i].triangle[0]) &&
              behind_plane(s.edge[i].triangle[1]);
-    case SiteKind::kVertex: break;
+    case SiteKind::kVertex:
+      break;
   }
   for (const auto e : s.edges_at(i))
     if (s.edge[e].kind == EdgeKind::kConvex) return false;
@@ -187,13 +189,17 @@ void Predicates::governors(const Point3& x, std::span<const SiteId> candidates,
     const BallVector d = difference(x, geometry_->base(s));
     Ball q;
     switch (geometry_->index().kind(s)) {
-      case SiteKind::kVertex: q = dot(d, d); break;
+      case SiteKind::kVertex:
+        q = dot(d, d);
+        break;
       case SiteKind::kEdge: {
         const BallVector m = cross(d, geometry_->unit(s));
         q = dot(m, m);
         break;
       }
-      case SiteKind::kFace: q = square(dot(d, geometry_->unit(s))); break;
+      case SiteKind::kFace:
+        q = square(dot(d, geometry_->unit(s)));
+        break;
     }
     scratch_.emplace_back(q, s);
   }
@@ -235,10 +241,9 @@ bool Predicates::rim_common(std::uint32_t v, std::uint32_t edge_a, std::uint32_t
       case SiteKind::kEdge:
         if (s.edge[i].vertex[0] != v && s.edge[i].vertex[1] != v) return false;
         if (decide([&]<class N>() {
-              return ex::inner<N>(
-                  direction.template operator()<N>(i),
-                  ex::outer<N>(direction.template operator()<N>(edge_a),
-                               direction.template operator()<N>(edge_b)));
+              return ex::inner<N>(direction.template operator()<N>(i),
+                                  ex::outer<N>(direction.template operator()<N>(edge_a),
+                                               direction.template operator()<N>(edge_b)));
             }) != 0)
           return false;
         break;
@@ -272,9 +277,9 @@ std::optional<int> Predicates::compare_rim(std::uint32_t v, std::uint32_t edge_a
   if (d == 0) return std::nullopt;
   const Point3& p = s.point[v];
   return d * decide([&]<class N>() {
-    const auto r = direction.template operator()<N>();
-    return (N(p[along]) - N(value)) * r[axis] + (N(level) - N(p[axis])) * r[along];
-  });
+           const auto r = direction.template operator()<N>();
+           return (N(p[along]) - N(value)) * r[axis] + (N(level) - N(p[axis])) * r[along];
+         });
 }
 
 }  // namespace blum

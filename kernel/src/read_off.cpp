@@ -81,8 +81,7 @@ Result<PolygonMesh> off(std::string_view text) {
       tokens.skip_line();  // normals, colours, texture coordinates
     } else if (const std::string_view extra = tokens.next_on_line(); !extra.empty()) {
       return make_error(ErrorCode::kMalformedFile,
-                        at("vertex", v, tokens.line(), shown(extra) + " after the coordinates"),
-                        v);
+                        at("vertex", v, tokens.line(), shown(extra) + " after the coordinates"), v);
     }
   }
   for (std::size_t f = 0; f < faces; ++f) {
@@ -110,11 +109,11 @@ Result<PolygonMesh> off(std::string_view text) {
                           at("face", f, tokens.line(), shown(word) + " is not a vertex index"), f);
       }
       if (*i < 0 || static_cast<unsigned long long>(*i) >= vertices) {
-        return make_error(ErrorCode::kIndexOutOfRange,
-                          at("face", f, tokens.line(),
-                             "vertex index " + shown(word) + " of " + std::to_string(vertices) +
-                                 " vertices"),
-                          f);
+        return make_error(
+            ErrorCode::kIndexOutOfRange,
+            at("face", f, tokens.line(),
+               "vertex index " + shown(word) + " of " + std::to_string(vertices) + " vertices"),
+            f);
       }
       face.push_back(static_cast<std::uint32_t>(*i));
     }
@@ -122,10 +121,10 @@ Result<PolygonMesh> off(std::string_view text) {
     tokens.skip_line();  // the face's colour
   }
   if (const std::string_view extra = tokens.next(); !extra.empty()) {
-    return make_error(ErrorCode::kMalformedFile,
-                      "line " + std::to_string(tokens.line()) + ": " + shown(extra) +
-                          " after the last face",
-                      tokens.line());
+    return make_error(
+        ErrorCode::kMalformedFile,
+        "line " + std::to_string(tokens.line()) + ": " + shown(extra) + " after the last face",
+        tokens.line());
   }
   return mesh;
 }

@@ -80,14 +80,26 @@ class Numbers {
     }
     at_ += n;
     switch (t) {
-      case Type::kInt8: x = static_cast<std::int8_t>(bits); break;
-      case Type::kInt16: x = static_cast<std::int16_t>(bits); break;
-      case Type::kInt32: x = static_cast<std::int32_t>(bits); break;
+      case Type::kInt8:
+        x = static_cast<std::int8_t>(bits);
+        break;
+      case Type::kInt16:
+        x = static_cast<std::int16_t>(bits);
+        break;
+      case Type::kInt32:
+        x = static_cast<std::int32_t>(bits);
+        break;
       case Type::kUint8:
       case Type::kUint16:
-      case Type::kUint32: x = static_cast<double>(bits); break;
-      case Type::kFloat: x = std::bit_cast<float>(static_cast<std::uint32_t>(bits)); break;
-      case Type::kDouble: x = std::bit_cast<double>(bits); break;
+      case Type::kUint32:
+        x = static_cast<double>(bits);
+        break;
+      case Type::kFloat:
+        x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        break;
+      case Type::kDouble:
+        x = std::bit_cast<double>(bits);
+        break;
     }
     return Failure::kNone;
   }
@@ -130,10 +142,14 @@ Result<Header> read_header(std::string_view bytes) {
     if (word == "end_header") break;
     if (word == "format") {
       const std::string_view name = tokens.next_on_line();
-      if (name == "ascii") header.encoding = Encoding::kAscii;
-      else if (name == "binary_little_endian") header.encoding = Encoding::kLittle;
-      else if (name == "binary_big_endian") header.encoding = Encoding::kBig;
-      else return bad("unknown format " + shown(name));
+      if (name == "ascii")
+        header.encoding = Encoding::kAscii;
+      else if (name == "binary_little_endian")
+        header.encoding = Encoding::kLittle;
+      else if (name == "binary_big_endian")
+        header.encoding = Encoding::kBig;
+      else
+        return bad("unknown format " + shown(name));
       has_format = true;
     } else if (word == "element") {
       Element e;
@@ -191,8 +207,8 @@ class Reader {
     for (const Element& e : header_.elements) {
       if (e.properties.empty()) {
         if (e.count == 0) continue;
-        return make_error(ErrorCode::kMalformedFile, "element " + shown(e.name) +
-                                                         " has no properties");
+        return make_error(ErrorCode::kMalformedFile,
+                          "element " + shown(e.name) + " has no properties");
       }
       std::size_t least = 0;
       for (const Property& p : e.properties) least += numbers_.least_size(p.count.value_or(p.type));
@@ -251,10 +267,10 @@ class Reader {
           }
           if (length * static_cast<double>(numbers_.least_size(p.type)) >
               static_cast<double>(numbers_.bytes_left()) + 1) {
-            return make_error(ErrorCode::kTruncatedFile,
-                              at(e.name.c_str(), i, numbers_.line(),
-                                 "a list longer than the rest of the file"),
-                              i);
+            return make_error(
+                ErrorCode::kTruncatedFile,
+                at(e.name.c_str(), i, numbers_.line(), "a list longer than the rest of the file"),
+                i);
           }
         }
         values.resize(static_cast<std::size_t>(length));
@@ -269,20 +285,21 @@ class Reader {
 
   std::optional<Error> read_number(const Element& e, std::size_t item, Type t, double& x) {
     switch (numbers_.next(t, x)) {
-      case Numbers::Failure::kNone: return std::nullopt;
+      case Numbers::Failure::kNone:
+        return std::nullopt;
       case Numbers::Failure::kEnd:
         return make_error(ErrorCode::kTruncatedFile,
                           at(e.name.c_str(), item, numbers_.line(), "the file ends here"), item);
-      case Numbers::Failure::kNotANumber: break;
+      case Numbers::Failure::kNotANumber:
+        break;
     }
     return make_error(ErrorCode::kMalformedFile,
                       at(e.name.c_str(), item, numbers_.line(), "not a number"), item);
   }
 
   std::optional<Error> read_vertices(const Element& e) {
-    const std::array<std::size_t, 3> axis = {find_property(e, "x", false),
-                                             find_property(e, "y", false),
-                                             find_property(e, "z", false)};
+    const std::array<std::size_t, 3> axis = {
+        find_property(e, "x", false), find_property(e, "y", false), find_property(e, "z", false)};
     if (std::find(axis.begin(), axis.end(), kNoProperty) != axis.end()) {
       return make_error(ErrorCode::kMalformedFile, "element 'vertex' lacks x, y or z");
     }
@@ -291,17 +308,18 @@ class Reader {
     }
     Point3 p;
     mesh_.points.reserve(e.count);
-    return read_element(e, [&, last = e.properties.size() - 1](
-                               std::size_t v, std::size_t k,
-                               const std::vector<double>& values) -> std::optional<Error> {
-      for (int a = 0; a < 3; ++a) {
-        if (axis[a] == k) p[a] = values[0];
-      }
-      if (k != last) return std::nullopt;
-      if (auto error = check_point(p, v, numbers_.line())) return error;
-      mesh_.points.push_back(p);
-      return std::nullopt;
-    });
+    return read_element(e,
+                        [&, last = e.properties.size() - 1](
+                            std::size_t v, std::size_t k,
+                            const std::vector<double>& values) -> std::optional<Error> {
+                          for (int a = 0; a < 3; ++a) {
+                            if (axis[a] == k) p[a] = values[0];
+                          }
+                          if (k != last) return std::nullopt;
+                          if (auto error = check_point(p, v, numbers_.line())) return error;
+                          mesh_.points.push_back(p);
+                          return std::nullopt;
+                        });
   }
 
   std::optional<Error> read_faces(const Element& e) {
@@ -311,29 +329,32 @@ class Reader {
       return make_error(ErrorCode::kMalformedFile, "element 'face' lacks the list vertex_indices");
     }
     mesh_.faces.reserve(e.count);
-    return read_element(e, [&](std::size_t f, std::size_t k,
-                               const std::vector<double>& values) -> std::optional<Error> {
-      if (k != list) return std::nullopt;
-      if (values.size() < 3) {
-        return make_error(ErrorCode::kMalformedFile,
-                          at("face", f, numbers_.line(), "fewer than three vertices"), f);
-      }
-      std::vector<std::uint32_t> face;
-      face.reserve(values.size());
-      for (const double x : values) {
-        if (x != std::floor(x)) {
-          return make_error(ErrorCode::kMalformedFile,
-                            at("face", f, numbers_.line(), "a vertex index is no integer"), f);
-        }
-        if (!(x >= 0 && x < 4294967295.0)) {
-          return make_error(ErrorCode::kIndexOutOfRange,
-                            at("face", f, numbers_.line(), "a vertex index is out of range"), f);
-        }
-        face.push_back(static_cast<std::uint32_t>(x));
-      }
-      mesh_.faces.push_back(std::move(face));
-      return std::nullopt;
-    });
+    return read_element(
+        e,
+        [&](std::size_t f, std::size_t k,
+            const std::vector<double>& values) -> std::optional<Error> {
+          if (k != list) return std::nullopt;
+          if (values.size() < 3) {
+            return make_error(ErrorCode::kMalformedFile,
+                              at("face", f, numbers_.line(), "fewer than three vertices"), f);
+          }
+          std::vector<std::uint32_t> face;
+          face.reserve(values.size());
+          for (const double x : values) {
+            if (x != std::floor(x)) {
+              return make_error(ErrorCode::kMalformedFile,
+                                at("face", f, numbers_.line(), "a vertex index is no integer"), f);
+            }
+            if (!(x >= 0 && x < 4294967295.0)) {
+              return make_error(ErrorCode::kIndexOutOfRange,
+                                at("face", f, numbers_.line(), "a vertex index is out of range"),
+                                f);
+            }
+            face.push_back(static_cast<std::uint32_t>(x));
+          }
+          mesh_.faces.push_back(std::move(face));
+          return std::nullopt;
+        });
   }
 
   const Header& header_;

@@ -94,10 +94,10 @@ Result<PolygonMesh> stl_ascii(std::string_view text) {
   const auto unexpected = [&](std::string_view token, const char* wanted) {
     const std::size_t line = tokens.line();
     if (token.empty()) {
-      return make_error(ErrorCode::kTruncatedFile,
-                        "line " + std::to_string(line) + ": the file ends where '" + wanted +
-                            "' should follow",
-                        line);
+      return make_error(
+          ErrorCode::kTruncatedFile,
+          "line " + std::to_string(line) + ": the file ends where '" + wanted + "' should follow",
+          line);
     }
     return make_error(ErrorCode::kMalformedFile,
                       "line " + std::to_string(line) + ": " + shown(token) + " where '" + wanted +

@@ -134,11 +134,11 @@ std::optional<Error> parse_point(Tokens& tokens, bool line_bound, std::size_t ve
     const std::string_view token = line_bound ? tokens.next_on_line() : tokens.next();
     if (token.empty()) {
       const bool ended = tokens.bytes_left() == 0;
-      return make_error(ended ? ErrorCode::kTruncatedFile : ErrorCode::kMalformedFile,
-                        at("vertex", vertex, tokens.line(),
-                           ended ? "the file ends before its three coordinates"
-                                 : "fewer than three coordinates"),
-                        vertex);
+      return make_error(
+          ended ? ErrorCode::kTruncatedFile : ErrorCode::kMalformedFile,
+          at("vertex", vertex, tokens.line(),
+             ended ? "the file ends before its three coordinates" : "fewer than three coordinates"),
+          vertex);
     }
     const std::optional<double> x = parse_double(token);
     if (!x) {

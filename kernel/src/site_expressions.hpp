@@ -48,13 +48,16 @@ Vec<N> half_space_direction(const Solid& s, const HalfSpace& h) {
   using Kind = HalfSpace::Kind;
   const Vec<N> u = minus<N>(s.point[h.b], s.point[h.a]);
   switch (h.kind) {
-    case Kind::kAlong: return u;
+    case Kind::kAlong:
+      return u;
     case Kind::kInFace: {
       const Vec<N> d = minus<N>(s.point[h.c], s.point[h.a]);
       return minus<N>(times<N>(d, inner<N>(u, u)), times<N>(u, inner<N>(d, u)));
     }
-    case Kind::kPrism: return outer<N>(u, normal<N>(s, h.a, h.b, h.c));
-    case Kind::kPlane: break;
+    case Kind::kPrism:
+      return outer<N>(u, normal<N>(s, h.a, h.b, h.c));
+    case Kind::kPlane:
+      break;
   }
   return normal<N>(s, h.a, h.b, h.c);
 }
@@ -80,7 +83,8 @@ Fraction<N> squared_distance(const SiteGeometry& g, SiteId site, const Point3& x
       const Vec<N> m = outer<N>(minus<N>(x, a), u);
       return {inner<N>(m, m), inner<N>(u, u)};
     }
-    case SiteKind::kFace: break;
+    case SiteKind::kFace:
+      break;
   }
   const Vec<N> n = normal<N>(s, i);
   const N h = inner<N>(n, minus<N>(x, s.point[s.triangle[i].vertex[0]]));

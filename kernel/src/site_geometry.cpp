@@ -57,9 +57,12 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
 
 std::uint32_t SiteGeometry::own_conditions(SiteId s) const {
   switch (index_.kind(s)) {
-    case SiteKind::kVertex: return 0;
-    case SiteKind::kEdge: return 2;
-    case SiteKind::kFace: return 3;
+    case SiteKind::kVertex:
+      return 0;
+    case SiteKind::kEdge:
+      return 2;
+    case SiteKind::kFace:
+      return 3;
   }
   return 0;
 }
@@ -67,9 +70,12 @@ std::uint32_t SiteGeometry::own_conditions(SiteId s) const {
 const Point3& SiteGeometry::base(SiteId s) const {
   const auto i = index_.element(s);
   switch (index_.kind(s)) {
-    case SiteKind::kVertex: return solid_->point[i];
-    case SiteKind::kEdge: return solid_->point[solid_->edge[i].vertex[0]];
-    case SiteKind::kFace: break;
+    case SiteKind::kVertex:
+      return solid_->point[i];
+    case SiteKind::kEdge:
+      return solid_->point[solid_->edge[i].vertex[0]];
+    case SiteKind::kFace:
+      break;
   }
   return solid_->point[solid_->triangle[i].vertex[0]];
 }
@@ -77,11 +83,14 @@ const Point3& SiteGeometry::base(SiteId s) const {
 std::array<std::uint32_t, 3> SiteGeometry::corners(SiteId s, int& count) const {
   const auto i = index_.element(s);
   switch (index_.kind(s)) {
-    case SiteKind::kVertex: count = 1; return {i, 0, 0};
+    case SiteKind::kVertex:
+      count = 1;
+      return {i, 0, 0};
     case SiteKind::kEdge:
       count = 2;
       return {solid_->edge[i].vertex[0], solid_->edge[i].vertex[1], 0};
-    case SiteKind::kFace: break;
+    case SiteKind::kFace:
+      break;
   }
   count = 3;
   return solid_->triangle[i].vertex;

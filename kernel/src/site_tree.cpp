@@ -71,13 +71,14 @@ struct SiteTree::Impl {
   std::vector<Candidate> candidates(const Point3& q) const {
     std::vector<Candidate> out;
     double best = std::numeric_limits<double>::infinity();
-    search(q, [&] { return best; },
-           [&](std::uint32_t t) {
-             const SquaredDistanceBounds b = squared_distance_to_triangle(q, triangle[t]);
-             if (b.lo > best) return;
-             best = std::min(best, b.hi);
-             out.push_back({t, b});
-           });
+    search(
+        q, [&] { return best; },
+        [&](std::uint32_t t) {
+          const SquaredDistanceBounds b = squared_distance_to_triangle(q, triangle[t]);
+          if (b.lo > best) return;
+          best = std::min(best, b.hi);
+          out.push_back({t, b});
+        });
     std::erase_if(out, [&](const Candidate& c) { return c.bounds.lo > best; });
     return out;
   }
@@ -125,7 +126,8 @@ SquaredDistanceBounds SiteTree::squared_distance(const Point3& q) const {
     for (std::uint32_t t = 0; t < impl_->triangle.size(); ++t) take(t);
   } else {
     // Skipped triangles are farther than out.hi, so they do not lower out.lo below the truth.
-    impl_->search(q, [&] { return out.hi; }, take);
+    impl_->search(
+        q, [&] { return out.hi; }, take);
   }
   return out;
 }
@@ -143,8 +145,7 @@ std::vector<std::uint32_t> SiteTree::all_nearest(const Point3& q) const {
 NearestTriangle SiteTree::nearest(const Point3& q) const {
   NearestTriangle out;
   out.triangle = all_nearest(q).front();
-  out.squared_distance =
-      squared_distance_to_triangle(q, impl_->triangle[out.triangle], &out.foot);
+  out.squared_distance = squared_distance_to_triangle(q, impl_->triangle[out.triangle], &out.foot);
   return out;
 }
 
@@ -159,12 +160,13 @@ std::vector<std::uint32_t> SiteTree::within(const Point3& q, double squared_radi
     }
     return out;
   }
-  impl_->search(q, [&] { return squared_radius; },
-                [&](std::uint32_t t) {
-                  const auto b = squared_distance_to_triangle(q, impl_->triangle[t]);
-                  if (b.lo > squared_radius) return;
-                  if (b.hi <= squared_radius || exactly_within(t)) out.push_back(t);
-                });
+  impl_->search(
+      q, [&] { return squared_radius; },
+      [&](std::uint32_t t) {
+        const auto b = squared_distance_to_triangle(q, impl_->triangle[t]);
+        if (b.lo > squared_radius) return;
+        if (b.hi <= squared_radius || exactly_within(t)) out.push_back(t);
+      });
   std::sort(out.begin(), out.end());
   return out;
 }

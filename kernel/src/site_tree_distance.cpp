@@ -86,8 +86,8 @@ SquaredDistanceBounds squared_distance_to_triangle(const Point3& q,
   double down = 0;
   const double ww = dot(f.direction, f.direction);
   if (ww > 1e-290) {
-    const double least = std::min(
-        {dot(v[0], f.direction), dot(v[1], f.direction), dot(v[2], f.direction)});
+    const double least =
+        std::min({dot(v[0], f.direction), dot(v[1], f.direction), dot(v[2], f.direction)});
     down = std::max(0.0, least / std::sqrt(ww) - slack);
   }
   return {down * down * (1 - 1e-15), up * up * (1 + 1e-15)};
@@ -96,9 +96,7 @@ SquaredDistanceBounds squared_distance_to_triangle(const Point3& q,
 ExactSquaredDistance exact_squared_distance(const Point3& q, const std::array<Point3, 3>& t) {
   using exact::Dyadic;
   using V = std::array<Dyadic, 3>;
-  const auto sub = [](const V& a, const V& b) {
-    return V{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  };
+  const auto sub = [](const V& a, const V& b) { return V{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
   const auto dot3 = [](const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   const V o = {q.x, q.y, q.z};
   std::array<V, 3> v;

@@ -34,11 +34,20 @@ Error invalid_solid(const ValidationReport& report) {
   for (const Defect& d : report.defects) {
     if (defect_severity(d.kind) != Severity::kError) continue;
     switch (d.kind) {
-      case DefectKind::kNoFaces: error.code = ErrorCode::kNoFaces; break;
-      case DefectKind::kNonFiniteCoordinate: error.code = ErrorCode::kNonFiniteCoordinate; break;
-      case DefectKind::kCoordinateOutOfRange: error.code = ErrorCode::kCoordinateOutOfRange; break;
-      case DefectKind::kIndexOutOfRange: error.code = ErrorCode::kIndexOutOfRange; break;
-      default: break;
+      case DefectKind::kNoFaces:
+        error.code = ErrorCode::kNoFaces;
+        break;
+      case DefectKind::kNonFiniteCoordinate:
+        error.code = ErrorCode::kNonFiniteCoordinate;
+        break;
+      case DefectKind::kCoordinateOutOfRange:
+        error.code = ErrorCode::kCoordinateOutOfRange;
+        break;
+      case DefectKind::kIndexOutOfRange:
+        error.code = ErrorCode::kIndexOutOfRange;
+        break;
+      default:
+        break;
     }
     if (!d.examples.empty() && !d.examples[0].elements.empty()) {
       error.element = d.examples[0].elements[0];
@@ -175,7 +184,8 @@ void add_warnings(const Surface& surface, Solid& solid) {
       case DefectKind::kInvertedSolid:
         solid.warnings.push_back("all normals point inwards; the solid was turned round");
         break;
-      default: break;
+      default:
+        break;
     }
   }
 }

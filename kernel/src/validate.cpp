@@ -24,23 +24,40 @@ std::string text(double x) {
 
 const char* defect_kind_name(DefectKind kind) {
   switch (kind) {
-    case DefectKind::kNoFaces: return "no_faces";
-    case DefectKind::kNonFiniteCoordinate: return "non_finite_coordinate";
-    case DefectKind::kCoordinateOutOfRange: return "coordinate_out_of_range";
-    case DefectKind::kIndexOutOfRange: return "index_out_of_range";
-    case DefectKind::kDegenerateFace: return "degenerate_face";
-    case DefectKind::kNonSimplePolygon: return "non_simple_polygon";
-    case DefectKind::kNonPlanarPolygon: return "non_planar_polygon";
-    case DefectKind::kDuplicateFace: return "duplicate_face";
-    case DefectKind::kDuplicateVertex: return "duplicate_vertex";
-    case DefectKind::kIsolatedVertex: return "isolated_vertex";
-    case DefectKind::kBoundaryEdge: return "boundary_edge";
-    case DefectKind::kNonManifoldEdge: return "nonmanifold_edge";
-    case DefectKind::kNonManifoldVertex: return "nonmanifold_vertex";
-    case DefectKind::kInconsistentOrientation: return "inconsistent_orientation";
-    case DefectKind::kSelfIntersection: return "self_intersection";
-    case DefectKind::kShellNesting: return "shell_nesting";
-    case DefectKind::kInvertedSolid: return "inverted_solid";
+    case DefectKind::kNoFaces:
+      return "no_faces";
+    case DefectKind::kNonFiniteCoordinate:
+      return "non_finite_coordinate";
+    case DefectKind::kCoordinateOutOfRange:
+      return "coordinate_out_of_range";
+    case DefectKind::kIndexOutOfRange:
+      return "index_out_of_range";
+    case DefectKind::kDegenerateFace:
+      return "degenerate_face";
+    case DefectKind::kNonSimplePolygon:
+      return "non_simple_polygon";
+    case DefectKind::kNonPlanarPolygon:
+      return "non_planar_polygon";
+    case DefectKind::kDuplicateFace:
+      return "duplicate_face";
+    case DefectKind::kDuplicateVertex:
+      return "duplicate_vertex";
+    case DefectKind::kIsolatedVertex:
+      return "isolated_vertex";
+    case DefectKind::kBoundaryEdge:
+      return "boundary_edge";
+    case DefectKind::kNonManifoldEdge:
+      return "nonmanifold_edge";
+    case DefectKind::kNonManifoldVertex:
+      return "nonmanifold_vertex";
+    case DefectKind::kInconsistentOrientation:
+      return "inconsistent_orientation";
+    case DefectKind::kSelfIntersection:
+      return "self_intersection";
+    case DefectKind::kShellNesting:
+      return "shell_nesting";
+    case DefectKind::kInvertedSolid:
+      return "inverted_solid";
   }
   return "unknown";
 }
@@ -54,33 +71,40 @@ Severity defect_severity(DefectKind kind) {
     case DefectKind::kNonPlanarPolygon:
     case DefectKind::kDuplicateVertex:
     case DefectKind::kIsolatedVertex:
-    case DefectKind::kInvertedSolid: return Severity::kWarning;
-    default: return Severity::kError;
+    case DefectKind::kInvertedSolid:
+      return Severity::kWarning;
+    default:
+      return Severity::kError;
   }
 }
 
 const char* defect_element_name(DefectKind kind) {
   switch (kind) {
-    case DefectKind::kNoFaces: return "mesh";
+    case DefectKind::kNoFaces:
+      return "mesh";
     case DefectKind::kNonFiniteCoordinate:
     case DefectKind::kCoordinateOutOfRange:
     case DefectKind::kDuplicateVertex:
     case DefectKind::kIsolatedVertex:
-    case DefectKind::kNonManifoldVertex: return "vertex";
+    case DefectKind::kNonManifoldVertex:
+      return "vertex";
     case DefectKind::kBoundaryEdge:
     case DefectKind::kNonManifoldEdge:
-    case DefectKind::kInconsistentOrientation: return "edge";
-    case DefectKind::kSelfIntersection: return "face_pair";
+    case DefectKind::kInconsistentOrientation:
+      return "edge";
+    case DefectKind::kSelfIntersection:
+      return "face_pair";
     case DefectKind::kShellNesting:
-    case DefectKind::kInvertedSolid: return "shell";
-    default: return "face";
+    case DefectKind::kInvertedSolid:
+      return "shell";
+    default:
+      return "face";
   }
 }
 
 bool ValidationReport::valid() const {
-  return std::none_of(defects.begin(), defects.end(), [](const Defect& d) {
-    return defect_severity(d.kind) == Severity::kError;
-  });
+  return std::none_of(defects.begin(), defects.end(),
+                      [](const Defect& d) { return defect_severity(d.kind) == Severity::kError; });
 }
 
 const Defect* ValidationReport::find(DefectKind kind) const {
@@ -139,9 +163,8 @@ void DefectCollector::add(DefectKind kind, std::vector<std::size_t> elements,
 void DefectCollector::mark_as_lower_bound(DefectKind kind) { of(kind).count_is_lower_bound = true; }
 
 bool DefectCollector::any_error() const {
-  return std::any_of(defects_.begin(), defects_.end(), [](const Defect& d) {
-    return defect_severity(d.kind) == Severity::kError;
-  });
+  return std::any_of(defects_.begin(), defects_.end(),
+                     [](const Defect& d) { return defect_severity(d.kind) == Severity::kError; });
 }
 
 ValidationReport DefectCollector::take() { return {std::move(defects_)}; }
@@ -217,9 +240,12 @@ void check_edges(const EdgeTable& edges, DefectCollector& defects) {
   edges.for_each_edge([&](std::span<const HalfEdge> e) {
     const std::array<std::uint32_t, 2> ends = {e[0].low, e[0].high};
     const auto report = [&](DefectKind kind) { defects.add(kind, {ends[0], ends[1]}, ends); };
-    if (e.size() == 1) report(DefectKind::kBoundaryEdge);
-    else if (e.size() > 2) report(DefectKind::kNonManifoldEdge);
-    else if (e[0].forward == e[1].forward) report(DefectKind::kInconsistentOrientation);
+    if (e.size() == 1)
+      report(DefectKind::kBoundaryEdge);
+    else if (e.size() > 2)
+      report(DefectKind::kNonManifoldEdge);
+    else if (e[0].forward == e[1].forward)
+      report(DefectKind::kInconsistentOrientation);
   });
 }
 
@@ -256,8 +282,10 @@ void check_fans(const PolygonMesh& mesh, const std::vector<std::uint32_t>& faces
   for (const std::uint32_t f : faces) {
     for (const std::uint32_t v : mesh.faces[f]) {
       const std::uint32_t root = fan.find(corner++);
-      if (first_fan[v] == kNone) first_fan[v] = root;
-      else if (first_fan[v] != root) pinched[v] = true;
+      if (first_fan[v] == kNone)
+        first_fan[v] = root;
+      else if (first_fan[v] != root)
+        pinched[v] = true;
     }
   }
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
@@ -284,9 +312,8 @@ Surface analyse_surface(const PolygonMesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& face = mesh.faces[f];
-    const auto bad = std::find_if(face.begin(), face.end(), [&](std::uint32_t v) {
-      return v >= mesh.points.size();
-    });
+    const auto bad = std::find_if(face.begin(), face.end(),
+                                  [&](std::uint32_t v) { return v >= mesh.points.size(); });
     if (bad != face.end()) {
       defects.add(DefectKind::kIndexOutOfRange, {f, *bad}, {});
       continue;
@@ -301,13 +328,18 @@ Surface analyse_surface(const PolygonMesh& mesh) {
       continue;
     }
     switch (triangulate_face(mesh.points, face, surface.triangle)) {
-      case FaceShape::kGood: break;
+      case FaceShape::kGood:
+        break;
       case FaceShape::kGoodNonPlanar:
         ++surface.non_planar_faces;
         defects.add(DefectKind::kNonPlanarPolygon, {f}, face);
         break;
-      case FaceShape::kDegenerate: defects.add(DefectKind::kDegenerateFace, {f}, face); break;
-      case FaceShape::kNonSimple: defects.add(DefectKind::kNonSimplePolygon, {f}, face); break;
+      case FaceShape::kDegenerate:
+        defects.add(DefectKind::kDegenerateFace, {f}, face);
+        break;
+      case FaceShape::kNonSimple:
+        defects.add(DefectKind::kNonSimplePolygon, {f}, face);
+        break;
     }
     surface.face_of_triangle.resize(surface.triangle.size(), f);
   }

@@ -73,8 +73,10 @@ void find_shells(std::span<const Point3> points, Surface& surface, DefectCollect
     defects.add(kind, {surface.face_of_triangle[t]}, std::array{triangle[t][0]});
   };
   for (std::size_t s = 0; s < shells; ++s) {
-    if (surface.inverted) report(DefectKind::kInvertedSolid, s);
-    else if (contrary[s]) report(DefectKind::kShellNesting, s);
+    if (surface.inverted)
+      report(DefectKind::kInvertedSolid, s);
+    else if (contrary[s])
+      report(DefectKind::kShellNesting, s);
   }
 
   surface.components = 0;

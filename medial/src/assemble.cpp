@@ -1,8 +1,8 @@
 #include "assemble.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -36,7 +36,7 @@ class Assembler {
   };
   using LineKey = std::tuple<int, double, double>;
   struct LeafGraph {
-    std::vector<std::uint32_t> arc;      // complex edges
+    std::vector<std::uint32_t> arc;                                 // complex edges
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  // (boundary edge, vertex)
   };
 
@@ -105,8 +105,10 @@ void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& re
   const bool split_low = l.axis >= 0;
   const CellNode& node = split_low ? l : h;
   const auto recurse = [&](std::uint32_t child, const Rect& part) {
-    if (split_low) pair_faces(child, high, part);
-    else pair_faces(low, child, part);
+    if (split_low)
+      pair_faces(child, high, part);
+    else
+      pair_faces(low, child, part);
   };
   if (node.axis == rect.axis) {
     recurse(split_low ? node.child + 1 : node.child, rect);
@@ -178,8 +180,8 @@ bool Assembler::solve_ties(const Interface& interface, int side) {
       if (slot->second.decided)
         for (const Breakpoint& b : a.diagram->breakpoint)
           if (b.kind == Breakpoint::Kind::kTie)
-            slot->second.vertex.push_back(add_vertex(locator_.tie(part, b, leaf.candidates),
-                                                     ComplexVertex::Kind::kArcPoint));
+            slot->second.vertex.push_back(
+                add_vertex(locator_.tie(part, b, leaf.candidates), ComplexVertex::Kind::kArcPoint));
     }
     if (!slot->second.decided) return false;
   }
@@ -218,18 +220,20 @@ void Assembler::add_interface(const Interface& interface) {
   for (std::size_t n = 0; n < d.node.size(); ++n) {
     const FaceNode& node = d.node[n];
     switch (node.kind) {
-      case FaceNode::Kind::kSide: vertex[n] = tie[node.side].at(node.breakpoint); break;
+      case FaceNode::Kind::kSide:
+        vertex[n] = tie[node.side].at(node.breakpoint);
+        break;
       case FaceNode::Kind::kEvent:
-        vertex[n] = add_vertex(locator_.event(d.rect, node, leaf.candidates),
-                               ComplexVertex::Kind::kEvent);
+        vertex[n] =
+            add_vertex(locator_.event(d.rect, node, leaf.candidates), ComplexVertex::Kind::kEvent);
         break;
       case FaceNode::Kind::kRim:
         vertex[n] =
             add_vertex(locator_.rim(d.rect, node, leaf.candidates), ComplexVertex::Kind::kRim);
         break;
       case FaceNode::Kind::kConvexEdge:
-        vertex[n] = add_vertex(locator_.convex_edge(d.rect, node),
-                               ComplexVertex::Kind::kConvexEdge);
+        vertex[n] =
+            add_vertex(locator_.convex_edge(d.rect, node), ComplexVertex::Kind::kConvexEdge);
         low.crossing.emplace_back(node.boundary_edge, vertex[n]);
         high.crossing.emplace_back(node.boundary_edge, vertex[n]);
         break;
@@ -379,7 +383,8 @@ void Assembler::add_leaf(std::uint32_t index) {
 Assembly Assembler::run() {
   const auto& leaves = subdivision_.leaf;
   const auto accepted = [&](std::uint32_t l) {
-    return leaves[l].theorem == LeafTheorem::kConical || leaves[l].theorem == LeafTheorem::kBoundary;
+    return leaves[l].theorem == LeafTheorem::kConical ||
+           leaves[l].theorem == LeafTheorem::kBoundary;
   };
   graph_.resize(leaves.size());
   dropped_.assign(leaves.size(), false);

@@ -21,6 +21,6 @@ struct Assembly {
 /// leaves, and those that turn out to have an undecidable interface, are left out. Positions and
 /// radii are in model units.
 [[nodiscard]] Assembly assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
-                                   EngineSet& engines);
+                                EngineSet& engines);
 
 }  // namespace blum

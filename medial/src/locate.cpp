@@ -8,29 +8,10 @@
 #include "blum/kernel/closest_point.hpp"
 
 namespace blum {
-namespace {
-
-struct Nearest {
-  double distance = std::numeric_limits<double>::infinity();
-  Point3 foot;
-};
-
-Nearest nearest(const SiteGeometry& geometry, std::span<const SiteId> sites, const Point3& x) {
-  Nearest best;
-  for (const SiteId s : sites) {
-    const Point3 y = closest_point(geometry, s, x);
-    const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
-    if (d < best.distance) best = {d, y};
-  }
-  return best;
-}
-
-}  // namespace
-
 Placed Locator::anywhere(const Point3& x, std::span<const SiteId> candidates) const {
   Placed p;
   p.position = x;
-  p.radius = nearest(geometry_, candidates, x).distance;
+  p.radius = nearest_foot(geometry_, candidates, x).distance;
   for (const SiteId s : candidates)
     if (distance_estimate(geometry_, s, x) <= p.radius + kTieTolerance) p.governors.push_back(s);
   return p;
@@ -50,7 +31,8 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
   };
   const auto below = group_of(breakpoint.below), above = group_of(breakpoint.above);
   const auto gap = [&](double t) {
-    return nearest(geometry_, below, at(t)).distance - nearest(geometry_, above, at(t)).distance;
+    return nearest_foot(geometry_, below, at(t)).distance -
+           nearest_foot(geometry_, above, at(t)).distance;
   };
   // The gap rises from the governor below to the one above: bisection.
   for (int k = 0; k < 200; ++k) {
@@ -64,8 +46,7 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
   return p;
 }
 
-Placed Locator::event(const Rect& rect, const FaceNode& node,
-                      std::span<const SiteId> candidates) {
+Placed Locator::event(const Rect& rect, const FaceNode& node, std::span<const SiteId> candidates) {
   const Point3 lo = point_on(rect.axis, rect.level, node.u0, node.v0),
                hi = point_on(rect.axis, rect.level, node.u1, node.v1);
   const auto groups = engine_.tie_groups(candidates, lo, hi);
@@ -105,7 +86,8 @@ Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const Site
   for (const SiteId s : node.governors)
     if (index.kind(s) == SiteKind::kEdge) edges.push_back(index.element(s));
   const auto direction = [&](std::uint32_t e) {
-    const Point3 &a = solid.point[solid.edge[e].vertex[0]], &b = solid.point[solid.edge[e].vertex[1]];
+    const Point3 &a = solid.point[solid.edge[e].vertex[0]],
+                 &b = solid.point[solid.edge[e].vertex[1]];
     return Point3{b.x - a.x, b.y - a.y, b.z - a.z};
   };
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -124,8 +106,9 @@ Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const Site
           return placed;
         }
     }
-  return anywhere(point_on(rect.axis, rect.level, 0.5 * (node.u0 + node.u1),
-                           0.5 * (node.v0 + node.v1)), candidates);
+  return anywhere(
+      point_on(rect.axis, rect.level, 0.5 * (node.u0 + node.u1), 0.5 * (node.v0 + node.v1)),
+      candidates);
 }
 
 Placed Locator::convex_edge(const Rect& rect, const FaceNode& node) const {

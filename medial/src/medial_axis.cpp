@@ -24,7 +24,10 @@ double diameter(const Box3& b) {
 Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options) {
   if (options.max_depth < 0 || options.threads < 1 || options.time_limit_s < 0 ||
       options.max_leaf_diameter < 0)
-    return Error{ErrorCode::kBadArgument, "max_depth, threads, time_limit_s or max_leaf_diameter out of range", "", {}};
+    return Error{ErrorCode::kBadArgument,
+                 "max_depth, threads, time_limit_s or max_leaf_diameter out of range",
+                 "",
+                 {}};
   MedialResult result;
   result.solid_betti = solid.betti();
   result.seed = options.seed;

@@ -96,19 +96,19 @@ TEST(SegmentMeetsTriangle, Touching_IsMeetingAndOneUlpAwayIsNot) {
 
 TEST(SegmentMeetsTriangle, Coplanar_IsDecidedInThePlane) {
   const Triangle t = {Point3{0, 0, 0}, Point3{1, 0, 0}, Point3{0, 1, 0}};
-  EXPECT_TRUE(segment_meets_triangle({0.1, 0.1, 0}, {0.2, 0.2, 0}, t));    // inside
-  EXPECT_TRUE(segment_meets_triangle({-1, 0.25, 0}, {2, 0.25, 0}, t));     // across
-  EXPECT_TRUE(segment_meets_triangle({-1, 0, 0}, {0, 0, 0}, t));           // end at a vertex
-  EXPECT_TRUE(segment_meets_triangle({-1, 0, 0}, {2, 0, 0}, t));           // over an edge
-  EXPECT_FALSE(segment_meets_triangle({-1, 0, 0}, {-5e-324, 0, 0}, t));    // in line, before it
+  EXPECT_TRUE(segment_meets_triangle({0.1, 0.1, 0}, {0.2, 0.2, 0}, t));  // inside
+  EXPECT_TRUE(segment_meets_triangle({-1, 0.25, 0}, {2, 0.25, 0}, t));   // across
+  EXPECT_TRUE(segment_meets_triangle({-1, 0, 0}, {0, 0, 0}, t));         // end at a vertex
+  EXPECT_TRUE(segment_meets_triangle({-1, 0, 0}, {2, 0, 0}, t));         // over an edge
+  EXPECT_FALSE(segment_meets_triangle({-1, 0, 0}, {-5e-324, 0, 0}, t));  // in line, before it
   EXPECT_FALSE(segment_meets_triangle({0.5, up(0.5), 0}, {1, 1, 0}, t));
 }
 
 using Ids = std::array<std::uint32_t, 3>;
 
 TEST(TrianglesMeetImproperly, CommonEdge_OnlyWhenFolded) {
-  const std::vector<Point3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.2, 1, 0},
-                                 {0.2, 1, 5e-324}};
+  const std::vector<Point3> p = {{0, 0, 0},  {1, 0, 0},   {0, 1, 0},
+                                 {0, -1, 0}, {0.2, 1, 0}, {0.2, 1, 5e-324}};
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{1, 0, 3}));
   EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{1, 0, 4}));
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{1, 0, 5}));
@@ -116,14 +116,14 @@ TEST(TrianglesMeetImproperly, CommonEdge_OnlyWhenFolded) {
 }
 
 TEST(TrianglesMeetImproperly, CommonVertex_OnlyBeyondIt) {
-  const std::vector<Point3> p = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},     {-1, 0, 0}, {0, -1, 0},
-                                 {1, 1, 1},  {1, 1, -1}, {0.5, 0.5, 0}, {2, 0.5, 0}, {1, 2, 0},
-                                 {-1, -1, 1}, {-1, -1, -1}, {0.25, 0.25, 0}, {0, 0, 1}};
+  const std::vector<Point3> p = {
+      {0, 0, 0},     {1, 0, 0},   {0, 1, 0}, {-1, 0, 0},  {0, -1, 0},   {1, 1, 1},       {1, 1, -1},
+      {0.5, 0.5, 0}, {2, 0.5, 0}, {1, 2, 0}, {-1, -1, 1}, {-1, -1, -1}, {0.25, 0.25, 0}, {0, 0, 1}};
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 3, 4}));  // coplanar, opposite
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 2, 3}));  // common edge, flat
   EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 5, 6}));   // cuts through
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 10, 11}));
-  EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 8, 9}));   // coplanar, over it
+  EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 8, 9}));    // coplanar, over it
   EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 12, 13}));  // one edge in it
   EXPECT_TRUE(triangles_meet_improperly(p, Ids{0, 12, 13}, Ids{0, 1, 2}));
   EXPECT_FALSE(triangles_meet_improperly(p, Ids{0, 1, 2}, Ids{0, 13, 4}));
@@ -137,15 +137,15 @@ TEST(TrianglesMeetImproperly, NoCommonVertex_AllDegenerateTouchesAreMeetings) {
     return a;
   };
   const Triangle t = {Point3{0, 0, 0}, Point3{4, 0, 0}, Point3{0, 4, 0}};
-  EXPECT_TRUE(meet(t, {Point3{1, 1, 0}, Point3{1, 1, 1}, Point3{2, 1, 1}}));   // vertex in face
+  EXPECT_TRUE(meet(t, {Point3{1, 1, 0}, Point3{1, 1, 1}, Point3{2, 1, 1}}));  // vertex in face
   EXPECT_FALSE(meet(t, {Point3{1, 1, 5e-324}, Point3{1, 1, 1}, Point3{2, 1, 1}}));
-  EXPECT_TRUE(meet(t, {Point3{1, 1, 0}, Point3{2, 1, 0}, Point3{1, 2, 0}}));   // inside, coplanar
-  EXPECT_TRUE(meet(t, {Point3{0, 0, 0}, Point3{-1, 0, 0}, Point3{0, -1, 0}})); // vertex on vertex
-  EXPECT_TRUE(meet(t, {Point3{2, 0, 1}, Point3{2, 0, -1}, Point3{2, -1, 0}})); // edge on edge
+  EXPECT_TRUE(meet(t, {Point3{1, 1, 0}, Point3{2, 1, 0}, Point3{1, 2, 0}}));    // inside, coplanar
+  EXPECT_TRUE(meet(t, {Point3{0, 0, 0}, Point3{-1, 0, 0}, Point3{0, -1, 0}}));  // vertex on vertex
+  EXPECT_TRUE(meet(t, {Point3{2, 0, 1}, Point3{2, 0, -1}, Point3{2, -1, 0}}));  // edge on edge
   EXPECT_FALSE(meet(t, {Point3{2, -5e-324, 1}, Point3{2, -5e-324, -1}, Point3{2, -1, 0}}));
-  EXPECT_TRUE(meet(t, {Point3{2, 2, 0}, Point3{4, 2, 0}, Point3{4, 4, 0}}));   // coplanar touch
+  EXPECT_TRUE(meet(t, {Point3{2, 2, 0}, Point3{4, 2, 0}, Point3{4, 4, 0}}));  // coplanar touch
   EXPECT_FALSE(meet(t, {Point3{2, up(2), 0}, Point3{4, up(2), 0}, Point3{4, 4, 0}}));
-  EXPECT_FALSE(meet(t, {Point3{0, 0, 1}, Point3{4, 0, 1}, Point3{0, 4, 1}}));  // parallel
+  EXPECT_FALSE(meet(t, {Point3{0, 0, 1}, Point3{4, 0, 1}, Point3{0, 4, 1}}));       // parallel
   EXPECT_TRUE(meet(t, {Point3{-8, -8, 0}, Point3{32, -8, 0}, Point3{-8, 32, 0}}));  // contains
 }
 
@@ -163,8 +163,8 @@ TEST(PolarCone, CornersAreSharpAndSaddlesAreFlat) {
   const auto flat = [&](std::vector<Point3> tips) { return polar_cone_is_flat(o, tips); };
   EXPECT_FALSE(flat({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
   EXPECT_FALSE(flat({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, 0}}));
-  EXPECT_TRUE(flat({{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}));              // inside a facet
-  EXPECT_TRUE(flat({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));    // on a straight edge
+  EXPECT_TRUE(flat({{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}));            // inside a facet
+  EXPECT_TRUE(flat({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));  // on a straight edge
   EXPECT_TRUE(flat({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0.5}, {0, -1, -0.5}, {0, 0, -1}}));
   // A flat cap of a cone, lifted or sunk by the least number.
   EXPECT_FALSE(flat({{1, 0, -5e-324}, {-1, 1, -5e-324}, {-1, -1, -5e-324}}));

@@ -33,10 +33,7 @@ inline PolygonMesh box_mesh(Point3 lo = {0, 0, 0}, Point3 hi = {1, 1, 1}) {
 
 inline PolygonMesh tetrahedron(Point3 at = {0, 0, 0}, double size = 1) {
   PolygonMesh m;
-  m.points = {at,
-              {at.x + size, at.y, at.z},
-              {at.x, at.y + size, at.z},
-              {at.x, at.y, at.z + size}};
+  m.points = {at, {at.x + size, at.y, at.z}, {at.x, at.y + size, at.z}, {at.x, at.y, at.z + size}};
   m.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   return m;
 }

@@ -14,9 +14,12 @@ std::vector<std::string> split_csv(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else if (c != '\r') cells.back() += c;
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else if (c != '\r')
+      cells.back() += c;
   }
   return cells;
 }
@@ -83,8 +86,7 @@ void check_model(const Row& row) {
   EXPECT_NEAR(info.solid->max_dihedral_deg, std::stod(row.at("max_dihedral_deg")), 1e-3);
   EXPECT_NEAR(info.shortest_edge_over_diagonal, std::stod(row.at("min_edge_over_bbox_diag")),
               5e-3 * std::stod(row.at("min_edge_over_bbox_diag")));
-  EXPECT_NEAR(info.solid->volume, std::stod(row.at("volume")),
-              1e-5 * std::stod(row.at("volume")));
+  EXPECT_NEAR(info.solid->volume, std::stod(row.at("volume")), 1e-5 * std::stod(row.at("volume")));
 }
 
 void check_models(bool large) {

@@ -91,8 +91,10 @@ std::string binary_ply(const PolygonMesh& m, bool big, bool doubles = true) {
          "\nproperty list uchar int vertex_indices\nproperty short quality\nend_header\n";
   for (const Point3& p : m.points) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (doubles) put(out, p[axis], big);
-      else put(out, static_cast<float>(p[axis]), big);
+      if (doubles)
+        put(out, p[axis], big);
+      else
+        put(out, static_cast<float>(p[axis]), big);
     }
     put(out, std::uint8_t{200});
   }
@@ -112,20 +114,24 @@ TEST(ReadOff, PlainFile_IsReadExactly) {
 }
 
 TEST(ReadOff, CommentsBlankLinesAndDosEnds_AreSkipped) {
-  expect_tetrahedron(read("# made by hand\nOFF # a comment\r\n\r\n4 4\r\n0 0 0 # origin\r\n"
-                          "1 0 0\r\n\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n# faces\n3 0 3 2\n3 1 2 3"));
+  expect_tetrahedron(
+      read("# made by hand\nOFF # a comment\r\n\r\n4 4\r\n0 0 0 # origin\r\n"
+           "1 0 0\r\n\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n# faces\n3 0 3 2\n3 1 2 3"));
 }
 
 TEST(ReadOff, CountsOnTheKeywordLineAndFaceColours_AreAccepted) {
-  expect_tetrahedron(read("OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n"
-                          "3 0 1 3 0.5 0.5 0.5 1\n3 0 3 2\n3 1 2 3 7\n"));
+  expect_tetrahedron(
+      read("OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n"
+           "3 0 1 3 0.5 0.5 0.5 1\n3 0 3 2\n3 1 2 3 7\n"));
 }
 
 TEST(ReadOff, ColoursAndNormalsAtVertices_AreIgnored) {
-  expect_tetrahedron(read("COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n0 1 0 0 0 0 0\n"
-                          "0 0 1 9 9 9 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"));
-  expect_tetrahedron(read("NOFF\n4 4 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
-                          "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"));
+  expect_tetrahedron(
+      read("COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n0 1 0 0 0 0 0\n"
+           "0 0 1 9 9 9 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"));
+  expect_tetrahedron(
+      read("NOFF\n4 4 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
+           "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"));
   expect_error(read("OFF\n4 4 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
                     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"),
                ErrorCode::kMalformedFile, 0);
@@ -169,8 +175,8 @@ TEST(ReadOff, RangeEndsAtTwoToThe200) {
 TEST(ReadOff, BadFaces_NameTheFace) {
   expect_error(read(replaced(kTetrahedronOff, "3 0 3 2", "3 0 4 2")), ErrorCode::kIndexOutOfRange,
                2);
-  expect_error(read(replaced(kTetrahedronOff, "3 0 3 2", "3 0 -1 2")),
-               ErrorCode::kIndexOutOfRange, 2);
+  expect_error(read(replaced(kTetrahedronOff, "3 0 3 2", "3 0 -1 2")), ErrorCode::kIndexOutOfRange,
+               2);
   expect_error(read(replaced(kTetrahedronOff, "3 0 3 2", "3 0 99999999999999999999 2")),
                ErrorCode::kIndexOutOfRange, 2);
   expect_error(read(replaced(kTetrahedronOff, "3 0 3 2", "2 0 3")), ErrorCode::kMalformedFile, 2);
@@ -185,8 +191,10 @@ TEST(ReadOff, AnyTruncation_IsRefused) {
   for (std::size_t n = 0; n + 2 < kTetrahedronOff.size(); ++n) {
     const auto mesh = read(kTetrahedronOff.substr(0, n));
     ASSERT_FALSE(mesh.ok()) << n;
-    if (n == 0) expect_error(mesh, ErrorCode::kEmptyFile);
-    else if (n >= 4) expect_error(mesh, ErrorCode::kTruncatedFile);
+    if (n == 0)
+      expect_error(mesh, ErrorCode::kEmptyFile);
+    else if (n >= 4)
+      expect_error(mesh, ErrorCode::kTruncatedFile);
   }
 }
 
@@ -210,16 +218,18 @@ TEST(ReadOff, UnsupportedVariants_SaySo) {
 }
 
 TEST(ReadObj, AllIndexForms_AreRead) {
-  expect_tetrahedron(read("# x\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 0 0 1\n"
-                          "vt 0 0\nvn 0 0 1\ng a\nusemtl b\ns off\nf 1 3 2\nf 1/1 2/1 4/1\n"
-                          "f 1//1 4//1 3//1\nf -3/1/1 -2/1/1 -1/1/1\n",
-                          "mesh.obj"));
+  expect_tetrahedron(
+      read("# x\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 0 0 1\n"
+           "vt 0 0\nvn 0 0 1\ng a\nusemtl b\ns off\nf 1 3 2\nf 1/1 2/1 4/1\n"
+           "f 1//1 4//1 3//1\nf -3/1/1 -2/1/1 -1/1/1\n",
+           "mesh.obj"));
 }
 
 TEST(ReadObj, FacesBeforeVerticesAndJoinedLines_AreRead) {
-  expect_tetrahedron(read("f 1 3 2\nf 1 2 4\nf 1 4 \\\n 3\nf 2 3 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
-                          "v 0 0 1",
-                          "mesh.obj"));
+  expect_tetrahedron(
+      read("f 1 3 2\nf 1 2 4\nf 1 4 \\\n 3\nf 2 3 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+           "v 0 0 1",
+           "mesh.obj"));
 }
 
 TEST(ReadObj, BadFiles_AreRefused) {

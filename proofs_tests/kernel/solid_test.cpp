@@ -37,8 +37,7 @@ void expect_consistent(const Solid& s) {
       }
       EXPECT_EQ(found, 1);
     }
-    const bool one_facet =
-        s.triangle[edge.triangle[0]].facet == s.triangle[edge.triangle[1]].facet;
+    const bool one_facet = s.triangle[edge.triangle[0]].facet == s.triangle[edge.triangle[1]].facet;
     EXPECT_TRUE(one_facet || edge.kind != EdgeKind::kFlat);
     EXPECT_EQ(s.triangle[edge.triangle[0]].shell, s.triangle[edge.triangle[1]].shell);
   }
@@ -180,7 +179,7 @@ TEST(BuildSolid, ShuffledMesh_GivesTheSameInvariants) {
 TEST(Polygon, NonConvexWithCollinearVertices_IsTriangulatedWithoutZeroArea) {
   // A comb with extra vertices on straight sides.
   const std::vector<std::pair<double, double>> comb = {
-      {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 3}, {3, 3}, {3, 1},
+      {0, 0},   {1, 0}, {2, 0}, {3, 0},   {4, 0}, {4, 3}, {3, 3}, {3, 1},
       {2.5, 1}, {2, 1}, {2, 3}, {1.5, 3}, {1, 3}, {1, 2}, {1, 1}, {0, 1}};
   const PolygonMesh m = prism(comb);
   for (unsigned seed = 0; seed < 8; ++seed) {

@@ -145,11 +145,12 @@ TEST(ValidateMesh, OneFaceTurned_IsInconsistent) {
 
 TEST(ValidateMesh, CrossingTouchingAndNearlyTouchingSolids_AreToldApart) {
   const PolygonMesh a = box_mesh();
-  EXPECT_GT(count_of(merged(a, box_mesh({0.5, 0.5, 0.5}, {2, 2, 2})),
-                     DefectKind::kSelfIntersection), 0u);
+  EXPECT_GT(
+      count_of(merged(a, box_mesh({0.5, 0.5, 0.5}, {2, 2, 2})), DefectKind::kSelfIntersection), 0u);
   // Faces touch.
   EXPECT_GT(count_of(merged(a, box_mesh({1, 0.25, 0.25}, {2, 0.75, 0.75})),
-                     DefectKind::kSelfIntersection), 0u);
+                     DefectKind::kSelfIntersection),
+            0u);
   // A vertex touches a face, and is one ulp before it.
   EXPECT_GT(count_of(merged(a, tetrahedron({1, 0.5, 0.5})), DefectKind::kSelfIntersection), 0u);
   EXPECT_EQ(defects_of(merged(a, tetrahedron({up(1), 0.5, 0.5}))), "");
@@ -188,14 +189,16 @@ TEST(ValidateMesh, Defects_DoNotDependOnOrderScaleOrPlace) {
     EXPECT_EQ(defects_of(test::shuffled(m, seed)), expected);
   }
   for (const double scale : {0x1p-1000, 0x1p-60, 0x1p190}) {
-    EXPECT_EQ(defects_of(test::mapped(m, [&](Point3 p) {
-                return Point3{p.x * scale, p.y * scale, p.z * scale};
-              })),
+    EXPECT_EQ(defects_of(test::mapped(m,
+                                      [&](Point3 p) {
+                                        return Point3{p.x * scale, p.y * scale, p.z * scale};
+                                      })),
               expected);
   }
-  EXPECT_EQ(defects_of(test::mapped(m, [](Point3 p) {
-              return Point3{p.x + 1024, p.y - 4096, p.z + 2};
-            })),
+  EXPECT_EQ(defects_of(test::mapped(m,
+                                    [](Point3 p) {
+                                      return Point3{p.x + 1024, p.y - 4096, p.z + 2};
+                                    })),
             expected);
 }
 
@@ -224,8 +227,8 @@ TEST(ValidateShells, VoidOfWrongOrientation_IsNamed) {
 }
 
 TEST(ValidateShells, WholeFileInverted_IsTurnedRoundWithAWarning) {
-  const PolygonMesh good = merged(box_mesh({-8, -8, -8}, {8, 8, 8}),
-                                  reversed(box_mesh({-4, -4, -4}, {4, 4, 4})));
+  const PolygonMesh good =
+      merged(box_mesh({-8, -8, -8}, {8, 8, 8}), reversed(box_mesh({-4, -4, -4}, {4, 4, 4})));
   EXPECT_EQ(defects_of(reversed(good)), "inverted_solid:2");
   const Solid a = test::solid_of(good), b = test::solid_of(reversed(good));
   ASSERT_EQ(b.warnings.size(), 1u);

@@ -52,7 +52,9 @@ void check_incidences(const CellComplex& c, bool whole) {
           EXPECT_NE(c.cone[c.triangle[t[0]].cone].leaf, c.cone[c.triangle[t[1]].cone].leaf);
         }
         break;
-      case ComplexEdge::Kind::kConvexEdge: EXPECT_EQ(t.size(), 1u); break;
+      case ComplexEdge::Kind::kConvexEdge:
+        EXPECT_EQ(t.size(), 1u);
+        break;
       case ComplexEdge::Kind::kCone:
         EXPECT_GE(t.size(), 1u);
         for (const auto k : t) EXPECT_EQ(c.triangle[k].cone, c.edge[e].leaf);
@@ -121,7 +123,8 @@ void check_places(Subdivided& run, const CellComplex& c) {
         EXPECT_TRUE(v.on_axis);
         EXPECT_GT(v.radius, 0);
         break;
-      case Kind::kCone: break;
+      case Kind::kCone:
+        break;
     }
   }
 }

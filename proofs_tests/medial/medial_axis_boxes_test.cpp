@@ -198,7 +198,8 @@ int check_unions(std::uint64_t first, int wanted, bool resolve) {
     ++failures;
     const Union small = shrunk(u, k, resolve);
     ADD_FAILURE() << "union " << k << (resolve ? ", resolved" : "") << ": " << what
-                  << "; shrunk: " << fault(small, k, resolve) << "\n" << test::as_off(mesh_of(small));
+                  << "; shrunk: " << fault(small, k, resolve) << "\n"
+                  << test::as_off(mesh_of(small));
   }
   return solids;
 }
@@ -222,8 +223,10 @@ TEST(SweepBoxUnions, Resolved_AreCertifiedWithTheGridsBettiNumbers) {
 TEST(BoxUnions, TestGrid_CountsKnownShapes) {
   const GridBox all{{0, 0, 0}, {3, 3, 3}};
   EXPECT_EQ(Grid({all}).betti(), (std::array<long, 3>{1, 0, 0}));
-  const std::vector<GridBox> ring{{{0, 0, 0}, {3, 1, 1}}, {{0, 2, 0}, {3, 3, 1}},
-                                  {{0, 0, 0}, {1, 3, 1}}, {{2, 0, 0}, {3, 3, 1}}};
+  const std::vector<GridBox> ring{{{0, 0, 0}, {3, 1, 1}},
+                                  {{0, 2, 0}, {3, 3, 1}},
+                                  {{0, 0, 0}, {1, 3, 1}},
+                                  {{2, 0, 0}, {3, 3, 1}}};
   EXPECT_EQ(Grid(ring).betti(), (std::array<long, 3>{1, 1, 0}));
   auto shell = ring;
   shell.push_back({{0, 0, 2}, {3, 3, 3}});

@@ -37,9 +37,8 @@ void check_models(std::span<const char* const> names, std::initializer_list<std:
       for (const auto rotation : rotations) {
         SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed) + ", rotation " +
                      std::to_string(rotation));
-        expect_certified(rotation == 0 ? mesh.value()
-                                       : shapes::rotate_rounded(mesh.value(), rotation),
-                         seed);
+        expect_certified(
+            rotation == 0 ? mesh.value() : shapes::rotate_rounded(mesh.value(), rotation), seed);
       }
   }
 }

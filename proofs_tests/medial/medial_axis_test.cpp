@@ -76,8 +76,10 @@ TEST(MedialAxis, AnySolid_IsCertifiedWithItsBettiNumbers) {
 TEST(MedialAxis, SameSeed_GivesTheSameComplex) {
   for (const Scene& scene : test::scenes()) {
     const double d = 0.3 * test::extent(scene.mesh.points);
-    EXPECT_EQ(difference(axis(scene.mesh, seeded(4, d)).complex,
-                         axis(scene.mesh, seeded(4, d)).complex), "") << scene.name;
+    EXPECT_EQ(
+        difference(axis(scene.mesh, seeded(4, d)).complex, axis(scene.mesh, seeded(4, d)).complex),
+        "")
+        << scene.name;
   }
 }
 
@@ -137,9 +139,9 @@ TEST(MedialAxis, BudgetSpent_IsNotCertifiedAndSaysWhere) {
   depth.max_depth = 3;
   cells.max_cells = 10;
   time.time_limit_s = 1e-12;
-  for (const auto& [o, reason] : {std::pair{depth, UndecidedReason::kDepth},
-                                  std::pair{cells, UndecidedReason::kCells},
-                                  std::pair{time, UndecidedReason::kTime}}) {
+  for (const auto& [o, reason] :
+       {std::pair{depth, UndecidedReason::kDepth}, std::pair{cells, UndecidedReason::kCells},
+        std::pair{time, UndecidedReason::kTime}}) {
     const MedialResult r = axis(mesh, o);
     EXPECT_FALSE(r.certified);
     ASSERT_FALSE(r.undecided.empty());

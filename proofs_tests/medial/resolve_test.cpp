@@ -54,9 +54,12 @@ TEST(ResolvedBox, AnyTriangulationSplitEdgesAndOrder_HasItsCounts) {
       EXPECT_EQ(counts(shapes::triangulate_facets(b.mesh, k), k), b.expected);
       EXPECT_EQ(counts(shapes::split_edges(b.mesh, k), k), b.expected);
       EXPECT_EQ(counts(shapes::shuffle(b.mesh, k), k), b.expected);
-      EXPECT_EQ(counts(shapes::shuffle(shapes::triangulate_facets(
-                           shapes::split_edges(shapes::split_edges(b.mesh, k), k + 1), k), k), k),
-                b.expected);
+      EXPECT_EQ(
+          counts(shapes::shuffle(shapes::triangulate_facets(
+                                     shapes::split_edges(shapes::split_edges(b.mesh, k), k + 1), k),
+                                 k),
+                 k),
+          b.expected);
     }
 }
 
@@ -90,8 +93,8 @@ void expect_one_answer(const PolygonMesh& mesh, std::initializer_list<double> di
   std::map<Counts, std::string> seen;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     for (const double d : diameters)
-      seen[counts(mesh, seed, d)] += " (seed " + std::to_string(seed) + ", diameter " +
-                                     std::to_string(d).substr(0, 3) + ")";
+      seen[counts(mesh, seed, d)] +=
+          " (seed " + std::to_string(seed) + ", diameter " + std::to_string(d).substr(0, 3) + ")";
   std::ostringstream all;
   for (const auto& [c, where] : seen)
     all << "\n  " << c[0] << '/' << c[1] << '/' << c[2] << ":" << where;

@@ -9,8 +9,8 @@
 namespace blum {
 namespace {
 
-using test::Subdivided;
 using test::Scene;
+using test::Subdivided;
 
 /// Points of the closed box: in it, on its faces, edges and corners, and on coarse dyadic grids,
 /// where symmetric solids have their ties.
@@ -19,10 +19,17 @@ Point3 sample(const Box3& box, std::mt19937_64& random) {
   for (int k = 0; k < 3; ++k) {
     const double x = std::uniform_real_distribution(box.lo[k], box.hi[k])(random);
     switch (random() % 6) {
-      case 0: p[k] = box.lo[k]; break;
-      case 1: p[k] = box.hi[k]; break;
-      case 2: p[k] = std::clamp(std::round(x * 64) / 64, box.lo[k], box.hi[k]); break;
-      default: p[k] = x;
+      case 0:
+        p[k] = box.lo[k];
+        break;
+      case 1:
+        p[k] = box.hi[k];
+        break;
+      case 2:
+        p[k] = std::clamp(std::round(x * 64) / 64, box.lo[k], box.hi[k]);
+        break;
+      default:
+        p[k] = x;
     }
   }
   return p;
@@ -37,8 +44,8 @@ Point3 chord_point(const Solid& solid, std::mt19937_64& random) {
     if (s + t > 1) s = 1 - s, t = 1 - t;
     Point3 p;
     for (int k = 0; k < 3; ++k)
-      p[k] = (1 - s - t) * solid.point[v[0]][k] + s * solid.point[v[1]][k] +
-             t * solid.point[v[2]][k];
+      p[k] =
+          (1 - s - t) * solid.point[v[0]][k] + s * solid.point[v[1]][k] + t * solid.point[v[2]][k];
     return p;
   };
   const Point3 a = on_boundary(), b = on_boundary();

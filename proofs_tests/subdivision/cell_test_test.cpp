@@ -14,8 +14,7 @@ using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 /// A solid with an engine; cells are given in model units.
 struct Bench {
   explicit Bench(const PolygonMesh& mesh)
-      : solid(test::solid_of(mesh)), geometry(solid),
-        engines(geometry, Engine::kProduction, 1) {
+      : solid(test::solid_of(mesh)), geometry(solid), engines(geometry, Engine::kProduction, 1) {
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) triangles.push_back(t);
   }
   Bench(const Bench&) = delete;
@@ -39,20 +38,20 @@ struct Bench {
     return face;
   }
 
-  CellAnswer test(const Point3& lo, const Point3& hi, bool resolve = false,
-                  bool connected = true) {
+  CellAnswer test(const Point3& lo, const Point3& hi, bool resolve = false, bool connected = true) {
     asked.clear();
     // Round numbers are in bad position.
     const Box3 box{to_working({lo.x - 1.1e-5, lo.y - 2.3e-5, lo.z - 3.7e-5}),
                    to_working({hi.x + 4.1e-5, hi.y + 5.9e-5, hi.z + 7.3e-5})};
     std::vector<SiteId> candidates;
     const Faces face = faces(box, candidates);
-    return test_cell(geometry, box, candidates, triangles, face,
-                     [&](std::uint32_t v) {
-                       asked.insert(v);
-                       return connected;
-                     },
-                     resolve);
+    return test_cell(
+        geometry, box, candidates, triangles, face,
+        [&](std::uint32_t v) {
+          asked.insert(v);
+          return connected;
+        },
+        resolve);
   }
 
   /// Of the axis on a small box about a vertex.
@@ -132,8 +131,7 @@ TEST(CellTest, TwoSheetsThatMeetBesideTheCell_AreJoinedByACurvedCut) {
 TEST(CellTest, CellAroundWholeSolid_HasShellInside) {
   for (const PolygonMesh& mesh : {shapes::cuboid(1, 1.25, 2), shapes::prism(5)}) {
     Bench b(mesh);
-    EXPECT_EQ(b.test({-1.51, -1.52, -0.53}, {1.54, 1.55, 2.56}).verdict,
-              CellVerdict::kShellInside);
+    EXPECT_EQ(b.test({-1.51, -1.52, -0.53}, {1.54, 1.55, 2.56}).verdict, CellVerdict::kShellInside);
   }
 }
 

@@ -115,13 +115,15 @@ std::vector<Case> cases() {
       {"spectacles", {2, {{0, 0}, {0, 1}, {1, 1}}}, GraphShape::kOther},
       {"two double arcs in a row", {3, {{0, 1}, {0, 1}, {1, 2}, {1, 2}}}, GraphShape::kOther},
       {"four nodes, two pairs joined twice",
-       {4, {{0, 1}, {0, 1}, {2, 3}, {2, 3}, {0, 2}, {1, 3}}}, GraphShape::kOther},
+       {4, {{0, 1}, {0, 1}, {2, 3}, {2, 3}, {0, 2}, {1, 3}}},
+       GraphShape::kOther},
       {"K4 with a double arc", with(k4, {{0, 1}}), GraphShape::kOther},
       {"K4 with two disjoint double arcs", with(k4, {{0, 1}, {2, 3}}), GraphShape::kOther},
       {"K4 with a loop", with(k4, {{2, 2}}), GraphShape::kOther},
       {"K4 with a pendant edge", with(k4, {{2, 4}}), GraphShape::kOther},
       {"K5", complete(5), GraphShape::kOther},
-      {"K3,3", {6, {{0, 3}, {0, 4}, {0, 5}, {1, 3}, {1, 4}, {1, 5}, {2, 3}, {2, 4}, {2, 5}}},
+      {"K3,3",
+       {6, {{0, 3}, {0, 4}, {0, 5}, {1, 3}, {1, 4}, {1, 5}, {2, 3}, {2, 4}, {2, 5}}},
        GraphShape::kOther},
       {"wheel of four spokes", with(cycle(4), {{0, 4}, {1, 4}, {2, 4}, {3, 4}}),
        GraphShape::kOther},
@@ -131,9 +133,7 @@ std::vector<Case> cases() {
   };
 }
 
-TEST(GraphShape, OneNodeWithoutArcs_IsPoint) {
-  EXPECT_EQ(graph_shape(1, {}), GraphShape::kPoint);
-}
+TEST(GraphShape, OneNodeWithoutArcs_IsPoint) { EXPECT_EQ(graph_shape(1, {}), GraphShape::kPoint); }
 
 TEST(GraphShape, KnownGraph_HasItsShape) {
   for (const Case& c : cases()) EXPECT_EQ(shape(c.graph), c.expected) << c.name;

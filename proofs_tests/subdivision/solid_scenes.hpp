@@ -52,7 +52,7 @@ inline PolygonMesh star_void(int points, double height = 4) {
   m.points.push_back({0.125, 0.25, 0.5 - height});
   for (std::uint32_t k = 0; k < n; ++k) {
     const auto a = base + k, b = base + (k + 1) % n;
-    m.faces.push_back({b, a, base + n});      // normals point into the void
+    m.faces.push_back({b, a, base + n});  // normals point into the void
     m.faces.push_back({a, b, base + n + 1});
   }
   return m;
@@ -69,8 +69,11 @@ inline PolygonMesh saddle_roof(double ridge = 4, double valley = 1.5) {
   // Middles of the roof's four sides: high along x, low along y; the pass between them.
   m.points.insert(m.points.end(),
                   {{s, 0, ridge}, {0, s, valley}, {-s, 0, ridge}, {0, -s, valley}, {0, 0, 3}});
-  m.faces = {{0, 3, 2, 1},                                     // floor
-             {1, 2, 6, 8, 5}, {2, 3, 7, 9, 6}, {3, 0, 4, 10, 7}, {0, 1, 5, 11, 4}};
+  m.faces = {{0, 3, 2, 1},  // floor
+             {1, 2, 6, 8, 5},
+             {2, 3, 7, 9, 6},
+             {3, 0, 4, 10, 7},
+             {0, 1, 5, 11, 4}};
   const std::uint32_t ring[] = {8, 6, 9, 7, 10, 4, 11, 5};
   for (int k = 0; k < 8; ++k) m.faces.push_back({ring[k], ring[(k + 1) % 8], 12});
   return m;
@@ -80,8 +83,8 @@ inline PolygonMesh rotated(const PolygonMesh& mesh, std::uint64_t seed = 1) {
   return shapes::rotate_rounded(mesh, seed);
 }
 
-/// x -> (x[order[0]], x[order[1]], x[order[2]]), then negated on the axes of `mirror`; the faces are
-/// flipped where that reverses the orientation. Exact.
+/// x -> (x[order[0]], x[order[1]], x[order[2]]), then negated on the axes of `mirror`; the faces
+/// are flipped where that reverses the orientation. Exact.
 inline PolygonMesh permuted(PolygonMesh m, std::array<int, 3> order,
                             std::array<bool, 3> mirror = {}) {
   for (Point3& p : m.points) {
@@ -113,8 +116,7 @@ inline PolygonMesh translated(PolygonMesh m, const Point3& by) {
 inline PolygonMesh thin_walled_box(double a, double b, double c, double wall) {
   PolygonMesh m = shapes::cuboid(a, b, c);
   PolygonMesh inner = shapes::cuboid(a - 2 * wall, b - 2 * wall, c - 2 * wall);
-  for (const Point3& p : inner.points)
-    m.points.push_back({p.x + wall, p.y + wall, p.z + wall});
+  for (const Point3& p : inner.points) m.points.push_back({p.x + wall, p.y + wall, p.z + wall});
   for (auto f : inner.faces) {
     std::reverse(f.begin(), f.end());
     for (auto& v : f) v += 8;
@@ -150,7 +152,8 @@ inline std::vector<Scene> scenes() {
 /// A solid, its sites and one run of the subdivision; immovable, as the parts point at each other.
 struct Subdivided {
   Subdivided(const PolygonMesh& mesh, const SubdivisionOptions& options)
-      : solid(solid_of(mesh)), geometry(solid),
+      : solid(solid_of(mesh)),
+        geometry(solid),
         engines(geometry, options.engine, options.seed, options.resolve),
         result(subdivide(geometry, options, engines)) {}
   Subdivided(const Subdivided&) = delete;
@@ -214,9 +217,9 @@ inline double boundary_distance(const Solid& solid, const std::vector<Point3>& p
                                 const Point3& q) {
   long double best = std::numeric_limits<long double>::infinity();
   for (const SolidTriangle& t : solid.triangle)
-    best = std::min(best, triangle_distance(wide(q), {wide(points[t.vertex[0]]),
-                                                      wide(points[t.vertex[1]]),
-                                                      wide(points[t.vertex[2]])}));
+    best = std::min(
+        best, triangle_distance(wide(q), {wide(points[t.vertex[0]]), wide(points[t.vertex[1]]),
+                                          wide(points[t.vertex[2]])}));
   return static_cast<double>(best);
 }
 

@@ -1,5 +1,5 @@
-// The subdivision as a tree of boxes: it tiles, its leaves say why, it is reproducible, and it stops
-// when its budget is spent.
+// The subdivision as a tree of boxes: it tiles, its leaves say why, it is reproducible, and it
+// stops when its budget is spent.
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,11 @@
 namespace blum {
 namespace {
 
-using test::Subdivided;
 using test::Scene;
 using test::seeded;
+using test::Subdivided;
 
-double volume(const Box3& b) {
-  return (b.hi.x - b.lo.x) * (b.hi.y - b.lo.y) * (b.hi.z - b.lo.z);
-}
+double volume(const Box3& b) { return (b.hi.x - b.lo.x) * (b.hi.y - b.lo.y) * (b.hi.z - b.lo.z); }
 
 bool strictly_in(const Box3& b, const Point3& p) {
   for (int k = 0; k < 3; ++k)
@@ -158,8 +156,7 @@ TEST(SubdivisionTree, LeafDiameterAskedFor_HoldsWhereTheAxisIs) {
       const Point3 d{leaf.box.hi.x - leaf.box.lo.x, leaf.box.hi.y - leaf.box.lo.y,
                      leaf.box.hi.z - leaf.box.lo.z};
       if (leaf.has_axis)
-        EXPECT_LE(run.solid.frame.length_to_model(std::hypot(d.x, d.y, d.z)),
-                  bound * (1 + 1e-14));
+        EXPECT_LE(run.solid.frame.length_to_model(std::hypot(d.x, d.y, d.z)), bound * (1 + 1e-14));
     }
   }
 }

@@ -36,8 +36,11 @@ class CellSurface {
   CellSurface(const SiteGeometry& geometry, const Box3& box,
               std::span<const std::uint32_t> triangles,
               const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
-            const ConnectedAtVertex& connected_at)
-      : geometry_(geometry), solid_(geometry.solid()), box_(box), face_(face),
+              const ConnectedAtVertex& connected_at)
+      : geometry_(geometry),
+        solid_(geometry.solid()),
+        box_(box),
+        face_(face),
         connected_at_(connected_at) {
     number_elements(triangles);
     glue();
@@ -69,10 +72,10 @@ class CellSurface {
 
   // Elements of the surface: regions of the six diagrams, then triangles that meet the cell.
   std::array<std::uint32_t, 6> region_base_{}, node_base_{};
-  std::map<std::uint32_t, std::uint32_t> triangle_;  // triangle -> element
+  std::map<std::uint32_t, std::uint32_t> triangle_;           // triangle -> element
   std::map<std::uint32_t, std::vector<std::uint32_t>> edge_;  // boundary edge in the cell -> nodes
-  std::vector<std::uint32_t> vertex_;                          // boundary vertices in the cell
-  std::map<std::uint32_t, std::uint32_t> vertex_node_;         // those with convex edges
+  std::vector<std::uint32_t> vertex_;                         // boundary vertices in the cell
+  std::map<std::uint32_t, std::uint32_t> vertex_node_;        // those with convex edges
   UnionFind cut_;      // components of the surface minus the graph
   UnionFind surface_;  // components of the surface
   UnionFind graph_;
@@ -402,16 +405,15 @@ CellAnswer CellSurface::test(bool resolve) {
 
 Rect box_face(const Box3& box, int face) {
   const int axis = face / 2, u = u_axis(axis), v = v_axis(axis);
-  return {axis, face % 2 == 0 ? box.lo[axis] : box.hi[axis],
-          box.lo[u], box.hi[u], box.lo[v], box.hi[v]};
+  return {axis,     face % 2 == 0 ? box.lo[axis] : box.hi[axis], box.lo[u], box.hi[u], box.lo[v],
+          box.hi[v]};
 }
 
 CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
                      std::span<const SiteId> candidates, std::span<const std::uint32_t> triangles,
                      const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
                      const ConnectedAtVertex& connected_at, bool resolve) {
-  for ([[maybe_unused]] const auto& d : face)
-    BLUM_REQUIRE(d && d->status == FaceStatus::kDecided);
+  for ([[maybe_unused]] const auto& d : face) BLUM_REQUIRE(d && d->status == FaceStatus::kDecided);
   CellSurface surface(geometry, box, triangles, face, connected_at);
   if (surface.vertices().size() == 1) {
     const auto v = surface.vertices().front();

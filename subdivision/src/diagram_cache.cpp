@@ -33,8 +33,7 @@ struct DiagramCache::Impl {
   std::size_t next_sweep = 1 << 16;
 };
 
-DiagramCache::DiagramCache(DiagramEngine& engine)
-    : impl_(new Impl{engine, {}, {}, 0, 1 << 16}) {}
+DiagramCache::DiagramCache(DiagramEngine& engine) : impl_(new Impl{engine, {}, {}, 0, 1 << 16}) {}
 DiagramCache::~DiagramCache() = default;
 
 SegmentAnswer DiagramCache::segment(const Segment& segment, std::span<const SiteId> candidates,

@@ -16,10 +16,14 @@ namespace blum {
 
 const char* undecided_reason_name(UndecidedReason reason) {
   switch (reason) {
-    case UndecidedReason::kDepth: return "depth";
-    case UndecidedReason::kCells: return "cells";
-    case UndecidedReason::kTime: return "time";
-    case UndecidedReason::kFaceUndecided: return "face_undecided";
+    case UndecidedReason::kDepth:
+      return "depth";
+    case UndecidedReason::kCells:
+      return "cells";
+    case UndecidedReason::kTime:
+      return "time";
+    case UndecidedReason::kFaceUndecided:
+      return "face_undecided";
   }
   return "unknown";
 }
@@ -66,15 +70,14 @@ class Subdivider {
   EngineSet& engines_;
   Subdivision result_;
   std::vector<Cell> stack_;
-  std::unordered_map<std::uint32_t, bool> connected_;     // boundary vertex -> connected_at
+  std::unordered_map<std::uint32_t, bool> connected_;  // boundary vertex -> connected_at
   double root_volume_ = 1, root_diameter_ = 1, done_ = 0;
 };
 
 double Subdivider::jitter(double lo, double hi, int axis, int attempt) const {
   std::uint64_t h = options_.seed * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(axis);
-  for (const std::uint64_t x :
-       {std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi),
-        static_cast<std::uint64_t>(attempt)}) {
+  for (const std::uint64_t x : {std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi),
+                                static_cast<std::uint64_t>(attempt)}) {
     h ^= x;
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
     h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;

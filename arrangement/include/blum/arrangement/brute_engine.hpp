@@ -8,7 +8,8 @@
 namespace blum {
 
 /// The exact diagram on a segment. Candidates and triangles as in FaceProblem.
-/// Returns nullopt in bad position (an end on a tie or on ∂O, three essential governors at a point).
+/// Returns nullopt in bad position (an end on a tie or on ∂O, three essential governors at a
+/// point).
 [[nodiscard]] std::optional<SegmentDiagram> brute_segment(const Solid& solid,
                                                           const Segment& segment,
                                                           std::span<const SiteId> candidates,

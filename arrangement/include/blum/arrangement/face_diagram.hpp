@@ -29,9 +29,9 @@ struct Breakpoint {
     kTie,       ///< an essential tie: the governor changes from `below` to `above`
   };
   Kind kind = Kind::kTie;
-  double lo = 0, hi = 0;        ///< the breakpoint's parameter lies in [lo, hi]
-  std::uint32_t triangle = 0;   ///< kBoundary
-  SiteId below{}, above{};      ///< kTie: an exact governor at lo and one at hi
+  double lo = 0, hi = 0;       ///< the breakpoint's parameter lies in [lo, hi]
+  std::uint32_t triangle = 0;  ///< kBoundary
+  SiteId below{}, above{};     ///< kTie: an exact governor at lo and one at hi
   /// kTie: where the end of [lo, hi] is not a double but the crossing of ∂O, its triangle.
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lo_triangle = kNone, hi_triangle = kNone;
@@ -72,12 +72,12 @@ struct FaceNode {
     kConvexEdge,  ///< a convex boundary edge crosses the rectangle
   };
   Kind kind = Kind::kEvent;
-  std::uint8_t side = 0;             ///< kSide
-  std::uint32_t breakpoint = 0;      ///< kSide: index in that side's diagram
-  std::uint32_t boundary_edge = 0;   ///< kConvexEdge
-  std::uint32_t piece = 0;           ///< the piece whose closure holds the node
+  std::uint8_t side = 0;                  ///< kSide
+  std::uint32_t breakpoint = 0;           ///< kSide: index in that side's diagram
+  std::uint32_t boundary_edge = 0;        ///< kConvexEdge
+  std::uint32_t piece = 0;                ///< the piece whose closure holds the node
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;  ///< the node lies in this rectangle
-  std::vector<SiteId> governors;     ///< sites that tie here; see `exact`
+  std::vector<SiteId> governors;          ///< sites that tie here; see `exact`
   bool exact = true;  ///< false: a cluster of events shown as one node (theory, Theorem D)
 };
 

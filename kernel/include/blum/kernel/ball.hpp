@@ -44,9 +44,11 @@ struct Ball {
   friend Ball operator-(const Ball& a, const Ball& b) { return a + (-b); }
   friend Ball operator*(const Ball& a, const Ball& b) {
     const double m = a.mid * b.mid;
-    return {m, (std::abs(a.mid) * b.rad + std::abs(b.mid) * a.rad + a.rad * b.rad +
-                std::abs(m) * kUnit) * kInflate + (m == 0 && a.rad == 0 && b.rad == 0 &&
-                (a.mid == 0 || b.mid == 0) ? 0.0 : kTiny)};
+    return {
+        m,
+        (std::abs(a.mid) * b.rad + std::abs(b.mid) * a.rad + a.rad * b.rad + std::abs(m) * kUnit) *
+                kInflate +
+            (m == 0 && a.rad == 0 && b.rad == 0 && (a.mid == 0 || b.mid == 0) ? 0.0 : kTiny)};
   }
 };
 

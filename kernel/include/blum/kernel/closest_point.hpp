@@ -1,6 +1,9 @@
 /// Closest points in double, for positions and first guesses: no decision depends on them.
 #pragma once
 
+#include <limits>
+#include <span>
+
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/site_geometry.hpp"
 
@@ -14,5 +17,13 @@ inline constexpr double kOnSite = 0x1p-48;
 
 /// Distance from x to closest_point.
 [[nodiscard]] double distance_estimate(const SiteGeometry& geometry, SiteId site, const Point3& x);
+
+struct NearestFoot {
+  double distance = std::numeric_limits<double>::infinity();
+  Point3 foot;
+};
+/// The nearest of the closest points on several sites; infinitely far if there is none.
+[[nodiscard]] NearestFoot nearest_foot(const SiteGeometry& geometry, std::span<const SiteId> sites,
+                                       const Point3& x);
 
 }  // namespace blum

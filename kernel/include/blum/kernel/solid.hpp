@@ -30,7 +30,7 @@ struct Frame {
 enum class EdgeKind : std::uint8_t { kConvex, kFlat, kReflex };
 
 struct SolidEdge {
-  std::array<std::uint32_t, 2> vertex;    ///< vertex[0] -> vertex[1] is its direction in triangle[0]
+  std::array<std::uint32_t, 2> vertex;  ///< vertex[0] -> vertex[1] is its direction in triangle[0]
   std::array<std::uint32_t, 2> triangle;  ///< the two incident triangles
   EdgeKind kind = EdgeKind::kFlat;
 };
@@ -44,7 +44,7 @@ struct SolidTriangle {
 
 struct Shell {
   int genus = 0;
-  bool is_void = false;        ///< normals point inwards: bounds a void
+  bool is_void = false;         ///< normals point inwards: bounds a void
   std::uint32_t component = 0;  ///< component of the solid it bounds
 };
 
@@ -69,8 +69,8 @@ struct Solid {
   std::vector<std::string> warnings;  ///< e.g. non-planar polygons triangulated, file turned round
 
   [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t v) const {
-    return std::span(vertex_edge).subspan(vertex_edge_begin[v],
-                                          vertex_edge_begin[v + 1] - vertex_edge_begin[v]);
+    return std::span(vertex_edge)
+        .subspan(vertex_edge_begin[v], vertex_edge_begin[v + 1] - vertex_edge_begin[v]);
   }
   [[nodiscard]] std::span<const std::uint32_t> triangles_at(std::uint32_t v) const {
     return std::span(vertex_triangle)

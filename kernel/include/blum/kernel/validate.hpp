@@ -49,7 +49,7 @@ struct DefectExample {
 struct Defect {
   DefectKind kind = DefectKind::kNoFaces;
   std::size_t count = 0;
-  bool count_is_lower_bound = false;  ///< the search stopped at a million
+  bool count_is_lower_bound = false;    ///< the search stopped at a million
   std::vector<DefectExample> examples;  ///< the first ones in index order, at most 5
 };
 

@@ -21,8 +21,8 @@ struct ComplexVertex {
     kBoundary,    ///< a boundary vertex where convex edges meet (radius 0)
     kCone,        ///< the apex of a leaf
   };
-  Point3 position;  ///< model units
-  double radius = 0;  ///< model units: distance from `position` to ∂O
+  Point3 position;       ///< model units
+  double radius = 0;     ///< model units: distance from `position` to ∂O
   bool on_axis = false;  ///< lies on M (or on ∂M, at convex edges), to 1e-9 of the diagonal
   Kind kind = Kind::kCone;
   std::vector<SiteId> governors;
@@ -36,7 +36,7 @@ struct ComplexEdge {
   };
   std::array<std::uint32_t, 2> vertex;
   Kind kind = Kind::kArc;
-  std::uint32_t leaf = 0;  ///< kCone: index of the cone (ComplexCone)
+  std::uint32_t leaf = 0;             ///< kCone: index of the cone (ComplexCone)
   std::array<SiteId, 2> governors{};  ///< kArc: one on each side; kCone over an arc point: same
 };
 

@@ -10,12 +10,12 @@ namespace blum {
 
 /// Shape of the base graph of one cone, after suppressing its nodes of degree 2.
 enum class ConeShape : std::uint8_t {
-  kLoop,      ///< a disk of one sheet
-  kPath,      ///< a half-disk of one sheet with a rim
-  kSeam,      ///< k >= 3 arcs between two nodes: a seam passes
-  kJunction,  ///< the complete graph on four nodes
+  kLoop,         ///< a disk of one sheet
+  kPath,         ///< a half-disk of one sheet with a rim
+  kSeam,         ///< k >= 3 arcs between two nodes: a seam passes
+  kJunction,     ///< the complete graph on four nodes
   kBoundaryEnd,  ///< Theorem B cone with nodes of degree >= 3: seams end in a boundary vertex
-  kCluster,   ///< anything else
+  kCluster,      ///< anything else
 };
 
 struct Parts {

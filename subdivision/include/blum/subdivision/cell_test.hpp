@@ -14,13 +14,13 @@ namespace blum {
 
 enum class CellVerdict : std::uint8_t {
   kAccepted,
-  kEuler,         ///< a component of cell ∩ O is not a ball
-  kShellInside,   ///< a whole boundary shell lies in the cell
-  kVertex,        ///< a boundary vertex at which the axis may be disconnected
-  kGraph,         ///< condition (1): the graph is not connected
-  kLabel,         ///< condition (2): a site governs two components of the complement
-  kCluster,       ///< resolving: the shape is no sheet, seam or junction
-  kFace,          ///< a face diagram could not be decided
+  kEuler,        ///< a component of cell ∩ O is not a ball
+  kShellInside,  ///< a whole boundary shell lies in the cell
+  kVertex,       ///< a boundary vertex at which the axis may be disconnected
+  kGraph,        ///< condition (1): the graph is not connected
+  kLabel,        ///< condition (2): a site governs two components of the complement
+  kCluster,      ///< resolving: the shape is no sheet, seam or junction
+  kFace,         ///< a face diagram could not be decided
 };
 
 /// Faces of a box in the order x low, x high, y low, y high, z low, z high.
@@ -28,10 +28,10 @@ enum class CellVerdict : std::uint8_t {
 
 struct CellAnswer {
   CellVerdict verdict = CellVerdict::kFace;
-  bool conical = false;                ///< accepted by Theorem B about `vertex`
+  bool conical = false;  ///< accepted by Theorem B about `vertex`
   std::uint32_t vertex = 0xffffffffu;
-  bool has_axis = false;               ///< the graph is not empty
-  bool curved_cut = false;             ///< Theorem E' joined several components of the graph
+  bool has_axis = false;    ///< the graph is not empty
+  bool curved_cut = false;  ///< Theorem E' joined several components of the graph
 };
 
 /// What is known of the axis near a boundary vertex; asked for vertices with convex and reflex
@@ -42,11 +42,11 @@ using ConnectedAtVertex = std::function<bool(std::uint32_t vertex)>;
 /// Theorem C, of which Theorem A is the case without boundary. `resolve` also asks that each
 /// component of the graph has the shape of a sheet, a seam or a junction.
 /// Requires: all six diagrams decided, from the same segment diagrams along common edges.
-[[nodiscard]] CellAnswer test_cell(
-    const SiteGeometry& geometry, const Box3& box, std::span<const SiteId> candidates,
-    std::span<const std::uint32_t> triangles,
-    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
-    const ConnectedAtVertex& connected_at, bool resolve);
+[[nodiscard]] CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
+                                   std::span<const SiteId> candidates,
+                                   std::span<const std::uint32_t> triangles,
+                                   const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
+                                   const ConnectedAtVertex& connected_at, bool resolve);
 
 /// Number of components of the graph on the surface of a cell with the given diagrams, convex
 /// boundary edges inside the cell not counted.

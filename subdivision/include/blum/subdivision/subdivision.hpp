@@ -32,7 +32,7 @@ struct SubdivisionOptions {
   /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
   double max_leaf_diameter = 0;
   DistanceHint distance_hint;  ///< saves work; never changes the answer
-  int max_depth = 96;    ///< bisections from the box to a leaf
+  int max_depth = 96;          ///< bisections from the box to a leaf
   std::size_t max_cells = 20'000'000;
   double time_limit_s = 0;  ///< 0: none
   /// Called now and then; returning false interrupts the run.
@@ -58,7 +58,7 @@ enum class LeafTheorem : std::uint8_t {
 /// A node of the binary tree of cells. Leaves have axis == -1.
 struct CellNode {
   Box3 box;
-  std::int8_t axis = -1;   ///< the children are split by x[axis] = cut
+  std::int8_t axis = -1;  ///< the children are split by x[axis] = cut
   double cut = 0;
   std::uint32_t child = 0;  ///< low child; the high one is child + 1
   std::uint32_t leaf = 0;   ///< index into Subdivision::leaf, for leaves
@@ -115,7 +115,6 @@ class EngineSet;
 
 /// Error kInterrupted if on_progress returned false.
 [[nodiscard]] Result<Subdivision> subdivide(const SiteGeometry& geometry,
-                                            const SubdivisionOptions& options,
-                                            EngineSet& engines);
+                                            const SubdivisionOptions& options, EngineSet& engines);
 
 }  // namespace blum
