@@ -61,7 +61,7 @@ std::array<long, 3> betti_numbers(const CellComplex& complex) {
   const auto edges = static_cast<phat::index>(complex.edge.size());
   const auto triangles = static_cast<phat::index>(complex.triangle.size());
 
-  phat::boundary_matrix<phat::bit_tree_pivot_column> matrix;
+  phat::boundary_matrix<phat::sparse_pivot_column> matrix;
   matrix.set_num_cols(vertices + edges + triangles);
   phat::column rows;
   phat::index column = 0;
