@@ -1,6 +1,7 @@
 /// What the segment and face subdivisions share: predicates, cached pair facts, jitter.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -23,6 +24,11 @@ struct EngineContext {
   std::uint64_t seed;
   EngineCounts counts;
   bool part_clusters = false;
+  /// Set from outside to give up: running work then answers kUndecided soon.
+  const std::atomic<bool>* stop = nullptr;
+  [[nodiscard]] bool stopped() const {
+    return stop != nullptr && stop->load(std::memory_order_relaxed);
+  }
   /// May parts that bounds cannot decide go to brute_engine.hpp? Its test of what is inside walks
   /// the whole boundary for each part, which large solids cannot afford.
   [[nodiscard]] bool exact_affordable() const {

@@ -614,6 +614,7 @@ Trouble FaceEngine::split(Box& box, Box& low, Box& high) {
 
 Trouble FaceEngine::refine(Box box) {
   ++context_.counts.boxes;
+  if (context_.stopped()) return {FaceStatus::kUndecided, "stopped"};
   if (++boxes_ > kMaxBoxes) return {FaceStatus::kUndecided, "face: boxes spent"};
   std::vector<LocalForm> forms;
   prune(context_.geometry, box.candidates, range_of(box), forms);

@@ -109,6 +109,7 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
     }
   }
   if (depth == kExactDepth && isolate_exactly(line, a, b, forms, out)) return {};
+  if (context_.stopped()) return {FaceStatus::kUndecided, "stopped"};
   if (++steps_ > kMaxSteps) return {FaceStatus::kUndecided, "segment: steps spent"};
   if (depth >= kMaxDepth) return {FaceStatus::kUndecided, "segment: depth spent"};
   std::vector<SiteId> kept;

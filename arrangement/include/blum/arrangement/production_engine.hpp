@@ -11,6 +11,7 @@
 /// General position is required and checked; see FaceStatus.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -61,6 +62,10 @@ class ProductionEngine final : public DiagramEngine {
   /// tie essentially; empty where some group is not such a clique.
   [[nodiscard]] std::vector<std::vector<SiteId>> tie_groups(std::span<const SiteId> candidates,
                                                             const Point3& lo, const Point3& hi);
+
+  /// From now on, work in progress and to come answers kUndecided ("stopped") soon after *stop
+  /// becomes true. The flag must outlive the engine; null: none.
+  void stop_on(const std::atomic<bool>* stop);
 
   [[nodiscard]] Predicates& predicates();
   [[nodiscard]] const EngineCounts& counts() const;
