@@ -10,7 +10,6 @@
 #include "blum/arrangement/production_engine.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/predicates.hpp"
-#include "local_form.hpp"
 
 namespace blum {
 
@@ -36,9 +35,10 @@ struct EngineContext {
     return geometry.solid().triangle.size() <= kMaxTriangles;
   }
 
-  /// Predicates::never_essential and unit_difference, remembered.
+  /// Predicates::never_essential, unit_difference and foot_cone, remembered.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
+  [[nodiscard]] Predicates::FootCone foot_cone(std::uint32_t vertex);
 
   /// Reproducible number in [0, 1) from the seed and the given keys.
   [[nodiscard]] double jitter(double a, double b, std::uint64_t c) const;
@@ -48,32 +48,7 @@ struct EngineContext {
  private:
   std::unordered_map<std::uint64_t, bool> never_;
   std::unordered_map<std::uint64_t, BallVector> difference_;
+  std::unordered_map<std::uint32_t, Predicates::FootCone> foot_cone_;
 };
-
-/// A partition of candidates into groups: connected components of "never tie essentially".
-struct Groups {
-  std::vector<std::uint32_t> of;  ///< group of each form
-  std::uint32_t count = 0;
-  bool cliques = true;  ///< within each group no pair can tie essentially
-  [[nodiscard]] static Groups make(EngineContext& context, std::span<const LocalForm> forms);
-  /// Group of a site; count if it is not among the forms.
-  [[nodiscard]] std::uint32_t find(std::span<const LocalForm> forms, SiteId s) const;
-};
-
-/// Enclosure of the derivative of d_a - d_b, up to a positive factor, valid wherever in the range a
-/// and b tie; `spread` bounds how much direction . (x - center) part varies.
-struct PairSlope {
-  BallVector gradient;    ///< at the centre
-  bool constant = false;  ///< two faces: the same everywhere
-};
-[[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b);
-
-/// Upper bound of slope . w over the range, w a vector of doubles.
-[[nodiscard]] double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                                 const Range& range, const std::array<double, 3>& w);
-
-/// May a and b tie somewhere in the range? False only if certain.
-[[nodiscard]] bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b,
-                           const Range& range);
 
 }  // namespace blum

@@ -255,38 +255,84 @@ FaceEngine::Border FaceEngine::border_of(const Box& box) {
   return border;
 }
 
+bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
+                            const Range& range, const Direction& direction) {
+  return std::all_of(pairs.begin(), pairs.end(), [&](const GainPair& p) {
+    const LocalForm &a = forms[p.i], &b = forms[p.j];
+    if (slope_upper(p.slope, a, b, range, direction.w) < 0) return true;
+    return !may_share_foot(context_, a.site, b.site, forms, range) &&
+           lies_ahead(context_, a.site, b.site, direction, forms, range);
+  });
+}
+
+bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
+                                  const Range& range) {
+  const Solid& solid = context_.geometry.solid();
+  const auto along = [&](std::span<const std::array<double, 2>> against) {
+    const auto w2 = opposite(against);
+    if (!w2) return false;
+    Direction d;
+    d.w[u_] = Ball((*w2)[0]);
+    d.w[v_] = Ball((*w2)[1]);
+    return gain_along(pairs, forms, range, d);
+  };
+  std::vector<std::array<double, 2>> against;
+  for (const GainPair& p : pairs)
+    against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+  if (along(against)) return true;
+
+  // Sites that meet in a vertex: by their corners as seen from there.
+  against.clear();
+  bool meet = false;
+  for (const GainPair& p : pairs) {
+    const SiteId a = forms[p.i].site, b = forms[p.j].site;
+    const CommonCorners common = common_corners(context_.geometry, a, b);
+    if (common.count != 1) {
+      against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+      continue;
+    }
+    meet = true;
+    const Point3& o = solid.point[common.vertex[0]];
+    for (const auto& [site, sign] : {std::pair{a, -1.0}, std::pair{b, 1.0}}) {
+      int n = 0;
+      const auto corner = context_.geometry.corners(site, n);
+      for (int k = 0; k < n; ++k)
+        if (corner[k] != common.vertex[0])
+          against.push_back({sign * (solid.point[corner[k]][u_] - o[u_]),
+                             sign * (solid.point[corner[k]][v_] - o[v_])});
+    }
+  }
+  if (!meet) return false;
+  if (along(against)) return true;
+
+  // By the planes through their common convex edges.
+  for (const GainPair& p : pairs) {
+    const CommonCorners common =
+        common_corners(context_.geometry, forms[p.i].site, forms[p.j].site);
+    if (common.count != 2) continue;
+    const Direction d = left_normal(solid, problem_.rect.axis, common.vertex[0], common.vertex[1]);
+    if (gain_along(pairs, forms, range, d) || gain_along(pairs, forms, range, d.reversed()))
+      return true;
+  }
+  return false;
+}
+
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
                                   const Range& range) {
-  struct Pair {
-    std::uint32_t i, j;
-    PairSlope slope;
-  };
-  std::vector<std::vector<Pair>> of_group(groups.count);
+  std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
       if (groups.of[i] == groups.of[j] || !may_tie(context_, forms[i], forms[j], range)) continue;
       of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j])});
       of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i])});
     }
-  std::vector<std::array<double, 2>> vectors;
-  for (const auto& pairs : of_group) {
-    if (pairs.empty()) continue;
-    vectors.clear();
-    for (const Pair& p : pairs)
-      vectors.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
-    const auto w2 = opposite(vectors);
-    if (!w2) return false;
-    std::array<double, 3> w{};
-    w[u_] = (*w2)[0];
-    w[v_] = (*w2)[1];
-    for (const Pair& p : pairs)
-      if (!(slope_upper(p.slope, forms[p.i], forms[p.j], range, w) < 0)) return false;
-  }
-  return true;
+  return std::all_of(of_group.begin(), of_group.end(), [&](const auto& pairs) {
+    return pairs.empty() || direction_exists(pairs, forms, range);
+  });
 }
 
-void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
-                        const Groups& groups, const Box& box, std::uint32_t count) {
+void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
+                        const Box& box, std::uint32_t count, bool rim) {
   // Rotate so that the walk starts just after a separator, if there is one.
   const std::size_t n = circle.size();
   std::size_t start = 0;
@@ -316,10 +362,11 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
     if (run == Breakpoint::kNone) {
       run = element;
       runs.push_back(element);
+      // Feet are continuous in a region, so its governors share feet, one with the next.
       labels.clear();
-      const auto group = groups.find(forms, s.label);
+      const auto group = feet.find(forms, s.label);
       for (std::size_t i = 0; i < forms.size(); ++i)
-        if (groups.of[i] == group) labels.push_back(forms[i].site);
+        if (feet.of[i] == group) labels.push_back(forms[i].site);
       label_element(element, labels);
     }
     region_.unite(run, element);
@@ -327,18 +374,20 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
     component_.unite(whole, element);
   }
   for (const End& e : ends) nodes_[e.node].element = whole;
-  if (count == 2) {
+  if (count == 2 && !rim) {
     add_arc(ends[0].node, ends[1].node, ends[0].below, ends[0].above, {runs[0], runs[1]});
-  } else if (count >= 3) {
-    const auto center = new_node(FaceNode::Kind::kEvent, box);
+  } else if (count >= 3 || (rim && count > 0)) {
+    const auto center = new_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent, box);
     nodes_[center].element = whole;
     for (std::size_t k = 0; k < ends.size(); ++k)
       add_arc(center, ends[k].node, ends[k].below, ends[k].above,
               {runs[(k + count - 1) % count], runs[k]});
     // Three groups: a tree with three ends has one branching point, a true event. More: a cluster.
     FaceNode& node = nodes_[center].node;
-    node.exact = count == 3;
-    context_.counts.clusters += count > 3;
+    node.exact = rim || count == 3;
+    context_.counts.clusters += !node.exact;
+    if (rim)
+      for (const LocalForm& f : forms) node.governors.push_back(f.site);
     for (const End& e : ends) {
       node.governors.push_back(e.below);
       node.governors.push_back(e.above);
@@ -352,9 +401,18 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms,
 bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const Border& border) {
   if (!border.loop.empty()) return false;
   if (border.circle.empty()) return true;  // outside the solid
-  const Groups groups = Groups::make(context_, forms);
-  if (!groups.cliques || groups.count > kMaxGroups) return accept_rim(box, forms, border);
+  const Groups ties = Groups::by_ties(context_, forms);
+  if (ties.cliques && ties.count > kMaxGroups) return false;
+  const Groups feet = Groups::by_feet(context_, forms, range_of(box));
+  if (ties.cliques && accept_star(box, forms, ties, feet, border)) return true;
+  if (feet.cliques && feet.count <= kMaxGroups && feet != ties &&
+      accept_star(box, forms, feet, feet, border))
+    return true;
+  return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border);
+}
 
+bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, const Groups& groups,
+                             const Groups& feet, const Border& border) {
   std::vector<std::uint32_t> separators;
   std::vector<int> runs(groups.count);
   for (const Circle& circle : border.circle) {
@@ -397,7 +455,7 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
         return false;
   }
   for (std::size_t c = 0; c < border.circle.size(); ++c)
-    record(border.circle[c], forms, groups, box, separators[c]);
+    record(border.circle[c], forms, feet, box, separators[c]);
   return true;
 }
 
@@ -416,80 +474,6 @@ bool FaceEngine::meet_in_one_point(const Box& box, std::span<const LocalForm> fo
   return common_point(context_.geometry, sites, point_on(r.axis, r.level, box.u0, box.v0),
                       point_on(r.axis, r.level, box.u1, box.v1))
              .gap <= kCommonTolerance;
-}
-
-bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms,
-                            const Border& border) {
-  // Needs a part wholly inside the solid, all candidates at one vertex, and the rim's point in it.
-  if (border.circle.size() != 1) return false;
-  for (const Step& s : border.circle[0])
-    if (s.kind == Step::Kind::kTrace) return false;
-  const SiteGeometry& geometry = context_.geometry;
-  const SiteIndex& index = geometry.index();
-  const Solid& solid = geometry.solid();
-  std::vector<SiteId> sites;
-  std::vector<std::uint32_t> edges;
-  for (const LocalForm& f : forms) {
-    sites.push_back(f.site);
-    if (f.kind == SiteKind::kEdge) edges.push_back(index.element(f.site));
-  }
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      std::uint32_t common = Breakpoint::kNone;
-      for (const auto p : solid.edge[edges[i]].vertex)
-        for (const auto q : solid.edge[edges[j]].vertex)
-          if (p == q) common = p;
-      if (common == Breakpoint::kNone ||
-          context_.never_essential(index.edge(edges[i]), index.edge(edges[j])))
-        continue;
-      Predicates& predicates = context_.predicates;
-      if (!predicates.rim_common(common, edges[i], edges[j], sites)) return false;
-      const auto side = [&](int along, double value) {
-        return predicates.compare_rim(common, edges[i], edges[j], problem_.rect.axis,
-                                      problem_.rect.level, along, value);
-      };
-      const auto a = side(u_, box.u0), b = side(u_, box.u1), c = side(v_, box.v0),
-                 d = side(v_, box.v1);
-      if (!a || !(*a > 0 && *b < 0 && *c > 0 && *d < 0)) return false;
-
-      // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
-      ++context_.counts.rims;
-      const Circle& circle = border.circle[0];
-      std::uint32_t whole = Breakpoint::kNone;
-      std::vector<std::uint32_t> ties, runs;
-      std::size_t start = 0;
-      for (std::size_t k = 0; k < circle.size(); ++k)
-        if (circle[k].kind == Step::Kind::kTie) start = k;
-      std::uint32_t run = Breakpoint::kNone;
-      for (std::size_t k = 0; k < circle.size(); ++k) {
-        const Step& s = circle[(start + k) % circle.size()];
-        if (s.kind == Step::Kind::kTie) {
-          ties.push_back(s.id);
-          run = Breakpoint::kNone;
-          continue;
-        }
-        if (run == Breakpoint::kNone) {
-          run = s.id;
-          runs.push_back(run);
-        }
-        region_.unite(run, s.id);
-        if (whole == Breakpoint::kNone) whole = s.id;
-        component_.unite(whole, s.id);
-        label_element(s.id, sites);  // any candidate may show in any sector
-      }
-      if (ties.empty()) return true;
-      const auto center = new_node(FaceNode::Kind::kRim, box);
-      nodes_[center].node.governors = sites;
-      nodes_[center].element = whole;
-      for (std::size_t k = 0; k < ties.size(); ++k) {
-        nodes_[ties[k]].element = whole;
-        const auto& g = nodes_[ties[k]].node.governors;
-        add_arc(center, ties[k], g.front(), g.back(),
-                {runs[(k + runs.size() - 1) % runs.size()], runs[k]});
-      }
-      return true;
-    }
-  return false;
 }
 
 Trouble FaceEngine::cut(const Line& line, double m, const Box& box, Line& low, Line& high,

@@ -4,12 +4,15 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "blum/arrangement/face_diagram.hpp"
 #include "blum/kernel/union_find.hpp"
 #include "engine_context.hpp"
+#include "groups.hpp"
 #include "segment_engine.hpp"
+#include "slope.hpp"
 
 namespace blum {
 
@@ -66,19 +69,38 @@ class FaceEngine {
 
   [[nodiscard]] Trouble refine(Box box);
   [[nodiscard]] bool accept(const Box& box, std::span<const LocalForm> forms, const Border& border);
+  /// Theorem D' with the given groups.
+  [[nodiscard]] bool accept_star(const Box& box, std::span<const LocalForm> forms,
+                                 const Groups& groups, const Groups& feet, const Border& border);
   /// Decides the part by exact algebra; false if that cannot be or takes too many candidates.
   [[nodiscard]] bool accept_exact(const Box& box, std::span<const LocalForm> forms);
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t trace_element(std::uint32_t triangle);
+  /// A cone about the point where a rim inside the solid crosses the plane.
   [[nodiscard]] bool accept_rim(const Box& box, std::span<const LocalForm> forms,
-                                const Border& border);
+                                const Groups& feet, const Border& border);
+  /// Theorem G: all sites meet in one vertex.
+  [[nodiscard]] bool accept_cone(const Box& box, std::span<const LocalForm> forms,
+                                 const Groups& feet, const Border& border);
+  [[nodiscard]] static bool wholly_inside(const Border& border);
+  [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
   [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
                                        const Groups& groups, const Circle& circle);
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
                                       const Range& range);
-  void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,
-              const Box& box, std::uint32_t count);
+  /// Site i is to gain on site j.
+  struct GainPair {
+    std::uint32_t i, j;
+    PairSlope slope;
+  };
+  /// Do all pairs gain along the direction? Is there such a direction?
+  [[nodiscard]] bool gain_along(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
+                                const Range& range, const Direction& direction);
+  [[nodiscard]] bool direction_exists(std::span<const GainPair> pairs,
+                                      std::span<const LocalForm> forms, const Range& range);
+  void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
+              const Box& box, std::uint32_t ties, bool rim = false);
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);
   [[nodiscard]] Trouble cut(const Line& line, double m, const Box& box, Line& low, Line& high,
                             bool& inside, SiteId& label);

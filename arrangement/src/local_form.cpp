@@ -10,12 +10,6 @@ namespace {
 
 double up(double x) { return x * (1 + 0x1p-50) + 0x1p-1000; }
 
-/// Upper end of sum_k |w_k| h_k.
-double spread(const BallVector& w, const Range& r) {
-  return up(w[0].magnitude() * r.half[0] + w[1].magnitude() * r.half[1] +
-            w[2].magnitude() * r.half[2]);
-}
-
 constexpr std::size_t kReferences = 6;
 constexpr std::size_t kMeanReferences = 3;
 
@@ -53,6 +47,31 @@ bool covered_with_neighbour(const SiteGeometry& geometry, std::uint32_t t, int k
 }
 
 }  // namespace
+
+double spread(const BallVector& w, const Range& r) {
+  return up(w[0].magnitude() * r.half[0] + w[1].magnitude() * r.half[1] +
+            w[2].magnitude() * r.half[2]);
+}
+
+bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex, const Range& range) {
+  const Solid& solid = geometry.solid();
+  const BallVector x = difference(range.center, solid.point[vertex]);
+  const auto edges = solid.edges_at(vertex);
+  const auto away = [&](std::uint32_t e) {
+    const BallVector& u = geometry.unit(geometry.index().edge(e));
+    return solid.edge[e].vertex[0] == vertex ? u : BallVector{-u[0], -u[1], -u[2]};
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const BallVector u = away(edges[i]);
+    if (dot(u, x).low() > spread(u, range)) return true;
+    // Two conditions may fail together where neither fails alone: edges nearly in line.
+    for (std::size_t j = 0; j < i; ++j) {
+      const BallVector w = away(edges[j]), sum = {u[0] + w[0], u[1] + w[1], u[2] + w[2]};
+      if (dot(sum, x).low() > spread(sum, range)) return true;
+    }
+  }
+  return false;
+}
 
 Range Range::of(const Point3& lo, const Point3& hi) {
   Range r;
@@ -95,6 +114,9 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
       }
     }
   }
+  if (out.kind == SiteKind::kVertex &&
+      outside_polar_cone(geometry, geometry.index().element(site), range))
+    return false;
   if (violated > 0)
     out.covers =
         violated == 1 && out.kind == SiteKind::kFace &&

@@ -23,6 +23,9 @@ struct Range {
   [[nodiscard]] double radius() const;  ///< half diagonal, rounded up
 };
 
+/// Upper bound of |w.(x - centre)| over the range.
+[[nodiscard]] double spread(const BallVector& w, const Range& range);
+
 /// d^2(c + x) = value + gradient.x + x.A x, all enclosed.
 struct LocalForm {
   SiteId site{};
@@ -49,6 +52,10 @@ struct LocalForm {
 /// by carrier".
 [[nodiscard]] bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a,
                                      const LocalForm& b, const Range& range);
+
+/// Does no point of the range have the vertex as foot, by its polar cone? True only if certain.
+[[nodiscard]] bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex,
+                                      const Range& range);
 
 /// Keeps those candidates that may govern a point of the range (inside the solid): by domains, by
 /// distance bounds (thesis section 5.4.2), by comparison with candidates that cover the range.

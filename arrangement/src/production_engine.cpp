@@ -52,7 +52,7 @@ std::vector<std::vector<SiteId>> ProductionEngine::tie_groups(std::span<const Si
                                                               const Point3& lo, const Point3& hi) {
   std::vector<LocalForm> forms;
   blum::prune(impl_->context.geometry, candidates, Range::of(lo, hi), forms);
-  const Groups groups = Groups::make(impl_->context, forms);
+  const Groups groups = Groups::by_ties(impl_->context, forms);
   if (!groups.cliques) return {};
   std::vector<std::vector<SiteId>> sites(groups.count);
   for (std::size_t i = 0; i < forms.size(); ++i) sites[groups.of[i]].push_back(forms[i].site);

@@ -64,50 +64,101 @@ bool SegmentEngine::isolate_exactly(const Segment& line, const StretchEnd& a, co
   return true;
 }
 
+bool SegmentEngine::change_at_most_once(const Segment& line, const StretchEnd& a,
+                                        const StretchEnd& b, std::span<const LocalForm> forms,
+                                        const Groups& groups, const Range& range,
+                                        std::vector<Breakpoint>& out) {
+  if (groups.count > 2) return false;
+  if (groups.count == 2) {
+    // Theorem D on a line: one group gains on the other all along, so they change at most once.
+    Direction along, back;
+    along.w[line.axis] = Ball(1.0);
+    back.w[line.axis] = Ball(-1.0);
+    int direction = 0;
+    for (std::uint32_t i = 0; i < forms.size(); ++i) {
+      if (groups.of[i] != 0) continue;
+      for (std::uint32_t j = 0; j < forms.size(); ++j) {
+        const LocalForm &f = forms[i], &g = forms[j];
+        if (groups.of[j] != 1 || !may_tie(context_, f, g, range)) continue;
+        const PairSlope slope = pair_slope(context_, f, g);
+        int d = slope_upper(slope, f, g, range, along.w) < 0  ? 1
+                : slope_upper(slope, f, g, range, back.w) < 0 ? -1
+                                                              : 0;
+        if (d == 0 && !may_share_foot(context_, f.site, g.site, forms, range))
+          d = lies_ahead(context_, f.site, g.site, along, forms, range)  ? 1
+              : lies_ahead(context_, f.site, g.site, back, forms, range) ? -1
+                                                                         : 0;
+        if (d == 0 || d == -direction) return false;
+        direction = d;
+      }
+    }
+  }
+  const auto ga = groups.find(forms, a.label), gb = groups.find(forms, b.label);
+  BLUM_CHECK(ga < groups.count && gb < groups.count);
+  if (ga != gb) out.push_back(tie_between(a, b));
+  return true;
+}
+
+Breakpoint SegmentEngine::tie_between(const StretchEnd& a, const StretchEnd& b) {
+  Breakpoint p;
+  p.kind = Breakpoint::Kind::kTie;
+  p.lo = a.t;
+  p.hi = b.t;
+  p.lo_triangle = a.triangle;
+  p.hi_triangle = b.triangle;
+  p.below = a.label;
+  p.above = b.label;
+  return p;
+}
+
+bool SegmentEngine::merge_at_most_once(const Segment& line, const StretchEnd& a,
+                                       const StretchEnd& b, std::span<const LocalForm> forms,
+                                       const Range& range, std::vector<Breakpoint>& out) {
+  // Theorem F on a line: feet move forward, so they come from one side of a plane across the line
+  // to the other, through the only point v on it or by one tie.
+  const SiteGeometry& geometry = context_.geometry;
+  Direction along;
+  along.w[line.axis] = Ball(1.0);
+  std::vector<std::uint32_t> tried;
+  for (const LocalForm& f : forms) {
+    int n = 0;
+    const auto corner = geometry.corners(f.site, n);
+    for (int k = 0; k < n; ++k) {
+      const auto v = corner[k];
+      if (std::find(tried.begin(), tried.end(), v) != tried.end()) continue;
+      tried.push_back(v);
+      if (!may_be_foot(context_, v, forms, range)) continue;
+      const auto of = sides_of(context_, forms, v, along, range);
+      if (!of) continue;
+      const auto side_of = [&](SiteId s) {
+        for (std::size_t i = 0; i < forms.size(); ++i)
+          if (forms[i].site == s) return (*of)[i];
+        broken_invariant("governor not among the candidates", __FILE__, __LINE__);
+      };
+      const int sa = side_of(a.label), sb = side_of(b.label);
+      BLUM_CHECK(sa <= sb);
+      if (sa == -1 && sb == 1) {
+        if (context_.foot_cone(v) == Predicates::FootCone::kWide) continue;
+        out.push_back(tie_between(a, b));
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
 Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const StretchEnd& b,
                                std::span<const SiteId> candidates, std::vector<Breakpoint>& out,
                                int depth) {
   const Range range = Range::of(at(line, std::min(a.t, b.t)), at(line, std::max(a.t, b.t)));
   std::vector<LocalForm> forms;
   prune(context_.geometry, candidates, range, forms);
-  const Groups groups = Groups::make(context_, forms);
-  if (groups.cliques && groups.count == 1) return {};
-  if (groups.cliques && groups.count == 2) {
-    // Theorem D on a line: one group gains on the other all along, so they change at most once.
-    int direction = 0;
-    bool monotone = true;
-    for (std::uint32_t i = 0; i < forms.size() && monotone; ++i) {
-      if (groups.of[i] != 0) continue;
-      for (std::uint32_t j = 0; j < forms.size() && monotone; ++j) {
-        if (groups.of[j] != 1 || !may_tie(context_, forms[i], forms[j], range)) continue;
-        const PairSlope slope = pair_slope(context_, forms[i], forms[j]);
-        std::array<double, 3> w{};
-        w[line.axis] = 1;
-        const bool falls = slope_upper(slope, forms[i], forms[j], range, w) < 0;
-        w[line.axis] = -1;
-        const bool rises = !falls && slope_upper(slope, forms[i], forms[j], range, w) < 0;
-        const int d = falls ? 1 : rises ? -1 : 0;
-        monotone = d != 0 && (direction == 0 || direction == d);
-        direction = d;
-      }
-    }
-    if (monotone) {
-      const auto ga = groups.find(forms, a.label), gb = groups.find(forms, b.label);
-      BLUM_CHECK(ga < 2 && gb < 2);
-      if (ga != gb) {
-        Breakpoint p;
-        p.kind = Breakpoint::Kind::kTie;
-        p.lo = a.t;
-        p.hi = b.t;
-        p.lo_triangle = a.triangle;
-        p.hi_triangle = b.triangle;
-        p.below = a.label;
-        p.above = b.label;
-        out.push_back(p);
-      }
-      return {};
-    }
-  }
+  const Groups ties = Groups::by_ties(context_, forms);
+  if (ties.cliques && change_at_most_once(line, a, b, forms, ties, range, out)) return {};
+  const Groups feet = Groups::by_feet(context_, forms, range);
+  if (feet.cliques && feet != ties && change_at_most_once(line, a, b, forms, feet, range, out))
+    return {};
+  if (!feet.cliques && merge_at_most_once(line, a, b, forms, range, out)) return {};
   if (depth == kExactDepth && isolate_exactly(line, a, b, forms, out)) return {};
   if (context_.stopped()) return {FaceStatus::kUndecided, "stopped"};
   if (++steps_ > kMaxSteps) return {FaceStatus::kUndecided, "segment: steps spent"};

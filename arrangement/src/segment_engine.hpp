@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine_context.hpp"
+#include "groups.hpp"
+#include "slope.hpp"
 
 namespace blum {
 
@@ -38,6 +40,15 @@ class SegmentEngine {
   [[nodiscard]] std::optional<SiteId> governor(const Point3& x, std::span<const SiteId> candidates);
 
  private:
+  /// Two groups, one of which gains on the other all along; appends the tie, if there is one.
+  [[nodiscard]] bool change_at_most_once(const Segment& line, const StretchEnd& a,
+                                         const StretchEnd& b, std::span<const LocalForm> forms,
+                                         const Groups& groups, const Range& range,
+                                         std::vector<Breakpoint>& out);
+  [[nodiscard]] bool merge_at_most_once(const Segment& line, const StretchEnd& a,
+                                        const StretchEnd& b, std::span<const LocalForm> forms,
+                                        const Range& range, std::vector<Breakpoint>& out);
+  [[nodiscard]] static Breakpoint tie_between(const StretchEnd& a, const StretchEnd& b);
   /// The same by exact algebra, for a stretch that bounds cannot decide; false if that cannot be.
   [[nodiscard]] bool isolate_exactly(const Segment& line, const StretchEnd& a, const StretchEnd& b,
                                      std::span<const LocalForm> forms,

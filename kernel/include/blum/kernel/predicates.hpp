@@ -54,6 +54,19 @@ class Predicates {
   /// equal feet (docs/proofs.md, Lemma 1). Symmetric.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
 
+  /// Which points of the solid can have a boundary vertex as foot.
+  enum class FootCone : std::uint8_t {
+    kNone,  ///< none
+    kRay,   ///< at most those on one ray
+    kWide,  ///< perhaps more
+  };
+  /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
+  [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
+
+  /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
+  /// from point a to point b: positive on the left, in coordinates (u_axis, v_axis).
+  [[nodiscard]] int side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const;
+
   /// All governors of x among `candidates` (sorted): those whose closed domain contains x and whose
   /// distance is minimal. Empty if no domain contains x.
   void governors(const Point3& x, std::span<const SiteId> candidates, std::vector<SiteId>& out);

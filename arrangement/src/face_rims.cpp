@@ -1,0 +1,138 @@
+// Parts of a face where feet on different sites may merge in a boundary vertex: rims inside the
+// solid, and what comes near to one.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "face_engine.hpp"
+
+namespace blum {
+
+std::uint32_t FaceEngine::ties_of(const Circle& circle) {
+  return static_cast<std::uint32_t>(std::count_if(
+      circle.begin(), circle.end(), [](const Step& s) { return s.kind == Step::Kind::kTie; }));
+}
+
+bool FaceEngine::wholly_inside(const Border& border) {
+  return border.loop.empty() && border.circle.size() == 1 &&
+         std::none_of(border.circle[0].begin(), border.circle[0].end(),
+                      [](const Step& s) { return s.kind == Step::Kind::kTrace; });
+}
+
+bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, const Groups& feet,
+                            const Border& border) {
+  // Needs a part wholly inside the solid, all candidates at one vertex, and the rim's point in it.
+  if (!wholly_inside(border)) return false;
+  const SiteGeometry& geometry = context_.geometry;
+  const SiteIndex& index = geometry.index();
+  const Solid& solid = geometry.solid();
+  std::vector<SiteId> sites;
+  std::vector<std::uint32_t> edges;
+  for (const LocalForm& f : forms) {
+    sites.push_back(f.site);
+    if (f.kind == SiteKind::kEdge) edges.push_back(index.element(f.site));
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      std::uint32_t common = Breakpoint::kNone;
+      for (const auto p : solid.edge[edges[i]].vertex)
+        for (const auto q : solid.edge[edges[j]].vertex)
+          if (p == q) common = p;
+      if (common == Breakpoint::kNone ||
+          context_.never_essential(index.edge(edges[i]), index.edge(edges[j])))
+        continue;
+      Predicates& predicates = context_.predicates;
+      if (!predicates.rim_common(common, edges[i], edges[j], sites)) return false;
+      const auto side = [&](int along, double value) {
+        return predicates.compare_rim(common, edges[i], edges[j], problem_.rect.axis,
+                                      problem_.rect.level, along, value);
+      };
+      const auto a = side(u_, box.u0), b = side(u_, box.u1), c = side(v_, box.v0),
+                 d = side(v_, box.v1);
+      if (!a || !(*a > 0 && *b < 0 && *c > 0 && *d < 0)) return false;
+
+      // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
+      ++context_.counts.rims;
+      record(border.circle[0], forms, feet, box, ties_of(border.circle[0]), true);
+      return true;
+    }
+  return false;
+}
+
+namespace {
+
+/// A vertex that is a corner of all sites; nullopt if there is none.
+std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
+                                           std::span<const LocalForm> forms) {
+  int n = 0;
+  const auto first = geometry.corners(forms[0].site, n);
+  for (int k = 0; k < n; ++k)
+    if (std::all_of(forms.begin() + 1, forms.end(), [&](const LocalForm& f) {
+          int m = 0;
+          const auto c = geometry.corners(f.site, m);
+          return std::find(c.begin(), c.begin() + m, first[k]) != c.begin() + m;
+        }))
+      return first[k];
+  return std::nullopt;
+}
+
+double length(const BallVector& x) { return std::sqrt(dot(x, x).high()) * (1 + 0x1p-40); }
+
+/// Are all feet of points of the range on the sites at v, extended to cones from v, in the sites
+/// themselves? Projections move no farther apart than points, so their distance from v is at most
+/// that of the centre's plus the radius.
+bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& range) {
+  const Solid& solid = geometry.solid();
+  const Point3& o = solid.point[v];
+  const BallVector x = difference(range.center, o);
+  const auto beyond = [&](const BallVector& w) { return dot(w, x).low() > spread(w, range); };
+  double reach = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const auto t : solid.triangles_at(v)) {
+    const auto& tv = solid.triangle[t].vertex;
+    const auto at = static_cast<std::size_t>(std::find(tv.begin(), tv.end(), v) - tv.begin());
+    const BallVector a = difference(solid.point[tv[(at + 1) % 3]], o),
+                     b = difference(solid.point[tv[(at + 2) % 3]], o);
+    const BallVector across = cross(a, b), side = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const double height = std::sqrt(std::max(0.0, dot(across, across).low())) / length(side);
+    reach = std::min(reach, height * (1 - 0x1p-40));
+    const SiteId face = geometry.index().face(t);
+    const auto domain = geometry.domain(face);  // prism conditions in the order of the edges
+    if (beyond(domain[at].w) || beyond(domain[(at + 2) % 3].w)) continue;
+    const BallVector& n = geometry.unit(face);
+    const Ball h = dot(n, x);
+    farthest = std::max(farthest, length({x[0] - n[0] * h, x[1] - n[1] * h, x[2] - n[2] * h}));
+  }
+  for (const auto e : solid.edges_at(v)) {
+    const auto& ends = solid.edge[e].vertex;
+    const BallVector along = difference(solid.point[ends[0] == v ? ends[1] : ends[0]], o);
+    if (beyond({-along[0], -along[1], -along[2]})) continue;
+    farthest = std::max(farthest, dot(geometry.unit(geometry.index().edge(e)), x).magnitude());
+  }
+  return (farthest + range.radius()) * (1 + 0x1p-40) < reach;
+}
+
+}  // namespace
+
+bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, const Groups& feet,
+                             const Border& border) {
+  if (!wholly_inside(border)) return false;
+  const auto v = common_vertex(context_.geometry, forms);
+  if (!v || context_.geometry.solid().point[*v][problem_.rect.axis] == problem_.rect.level)
+    return false;
+  const Range range = range_of(box);
+  // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
+  // where feet merge in v.
+  const std::uint32_t ties = ties_of(border.circle[0]);
+  std::uint32_t most = 3;
+  if (may_be_foot(context_, *v, forms, range))
+    most = context_.foot_cone(*v) == Predicates::FootCone::kRay ? 2 : 1;
+  else if (ties == 1)
+    return false;
+  if (ties > most || !feet_stay_at(context_.geometry, *v, range)) return false;
+  context_.counts.rims += ties == 1;
+  record(border.circle[0], forms, feet, box, ties, ties == 1);
+  return true;
+}
+
+}  // namespace blum

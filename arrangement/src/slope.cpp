@@ -1,0 +1,135 @@
+#include "slope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "groups.hpp"
+
+namespace blum {
+
+PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b) {
+  PairSlope r;
+  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace) {
+    // Inside both planes d = -height, so grad(d_a - d_b) = n_b - n_a: constant, and accurate
+    // however close the planes are.
+    r.gradient = context.unit_difference(b.site, a.site);
+    r.constant = true;
+    return r;
+  }
+  // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
+  for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
+  return r;
+}
+
+Direction Direction::reversed() const {
+  Direction r{{-w[0], -w[1], -w[2]}, line};
+  if (r.line) std::swap(r.line->from, r.line->to);
+  return r;
+}
+
+Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uint32_t to) {
+  const int u = u_axis(axis), v = v_axis(axis);
+  const BallVector d = difference(solid.point[to], solid.point[from]);
+  Direction r;
+  r.w[u] = -d[v];
+  r.w[v] = d[u];
+  r.line = Direction::Line{axis, from, to};
+  return r;
+}
+
+double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+                   const Range& range, const BallVector& w) {
+  const Ball s = dot(slope.gradient, w);
+  double bound = s.high();
+  if (!slope.constant) {
+    for (int i = 0; i < 3; ++i) {
+      if (range.half[i] == 0) continue;
+      Ball row(0.0);
+      for (int j = 0; j < 3; ++j) {
+        if (w[j].mid == 0 && w[j].rad == 0) continue;
+        row = row + (a.matrix(i, j) - b.matrix(i, j)) * w[j];
+      }
+      bound += 2 * row.magnitude() * range.half[i] * Ball::kInflate;
+    }
+    bound += std::abs(bound) * 0x1p-48 + 0x1p-1000;
+    // The sum of up to four terms may cancel: charge the rounding of each partial sum.
+    bound += 0x1p-50 * std::abs(s.high());
+  }
+  return bound;
+}
+
+bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
+  return !certainly_farther(context.geometry, a, b, range) &&
+         !certainly_farther(context.geometry, b, a, range);
+}
+
+int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {
+  if (v == p) return 0;
+  const Solid& solid = context.geometry.solid();
+  if (direction.line && (v == direction.line->from || v == direction.line->to))
+    return context.predicates.side_of_line(direction.line->axis, direction.line->from,
+                                           direction.line->to, p);
+  return dot(direction.w, difference(solid.point[p], solid.point[v])).sign();
+}
+
+bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& direction,
+                std::span<const LocalForm> forms, const Range& range) {
+  const SiteGeometry& geometry = context.geometry;
+  int na = 0, nb = 0;
+  const auto ca = geometry.corners(a, na), cb = geometry.corners(b, nb);
+  const CommonCorners common = common_corners(geometry, a, b);
+  if (common.count == 0) {
+    for (int i = 0; i < na; ++i)
+      for (int j = 0; j < nb; ++j)
+        if (side(context, direction, cb[j], ca[i]) != 1) return false;
+    return true;
+  }
+  // A plane through a common corner v, which is no foot, parts them. A site may lie on it with v
+  // and with a boundary edge from there that holds no foot.
+  const auto v = common.vertex[0];
+  const auto parted = [&](std::span<const std::uint32_t> corner, int sign) {
+    int on_plane = 0;
+    for (const auto p : corner) {
+      if (p == v) continue;
+      const int s = side(context, direction, v, p);
+      if (s == sign) continue;
+      if (s != 0 || ++on_plane > 1 || may_be_foot(context, p, forms, range) ||
+          may_hold_foot(context, v, p, forms))
+        return false;
+    }
+    return true;
+  };
+  return parted({ca.data(), static_cast<std::size_t>(na)}, 1) &&
+         parted({cb.data(), static_cast<std::size_t>(nb)}, -1);
+}
+
+std::optional<std::vector<int>> sides_of(EngineContext& context, std::span<const LocalForm> forms,
+                                         std::uint32_t v, const Direction& direction,
+                                         const Range& range) {
+  const SiteGeometry& geometry = context.geometry;
+  std::vector<int> of(forms.size(), 0);
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    int n = 0, on_plane = 0;
+    const auto corner = geometry.corners(forms[i].site, n);
+    const bool at_v = std::find(corner.begin(), corner.begin() + n, v) != corner.begin() + n;
+    for (int k = 0; k < n; ++k) {
+      const auto p = corner[k];
+      if (p == v) continue;
+      const int s = side(context, direction, v, p);
+      if (s == 2 || s * of[i] < 0) return std::nullopt;
+      if (s != 0) {
+        of[i] = s;
+      } else if (++on_plane > 1 || may_be_foot(context, p, forms, range) ||
+                 (at_v && may_hold_foot(context, v, p, forms))) {
+        return std::nullopt;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    for (std::size_t j = i + 1; j < forms.size(); ++j)
+      if (of[i] * of[j] >= 0 && !context.never_essential(forms[i].site, forms[j].site))
+        return std::nullopt;
+  return of;
+}
+
+}  // namespace blum

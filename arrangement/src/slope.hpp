@@ -1,0 +1,63 @@
+/// Does one site gain on another along a direction, wherever both govern?
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine_context.hpp"
+#include "local_form.hpp"
+
+namespace blum {
+
+/// Enclosure of the derivative of d_a - d_b, up to a positive factor, valid wherever in the range a
+/// and b tie.
+struct PairSlope {
+  BallVector gradient;    ///< at the centre
+  bool constant = false;  ///< two faces: the same everywhere
+};
+[[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b);
+
+/// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
+/// the projection along `axis` of the line from one point of the solid to another.
+struct Direction {
+  BallVector w;  ///< encloses it
+  struct Line {
+    int axis;
+    std::uint32_t from, to;
+  };
+  std::optional<Line> line;
+  [[nodiscard]] Direction reversed() const;
+};
+[[nodiscard]] Direction left_normal(const Solid& solid, int axis, std::uint32_t from,
+                                    std::uint32_t to);
+
+/// Upper bound of slope . w over the range.
+[[nodiscard]] double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+                                 const Range& range, const BallVector& w);
+
+/// May a and b tie somewhere in the range? False only if certain.
+[[nodiscard]] bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                           const Range& range);
+
+/// Certain sign of (p - v) . w for two points of the solid; 2: undecided.
+[[nodiscard]] int side(EngineContext& context, const Direction& direction, std::uint32_t v,
+                       std::uint32_t p);
+
+/// Is (y - z) . w > 0 for all points y of a and z of b that are feet of points of the range? By the
+/// corners alone. Requires: the sites share no foot there (may_share_foot).
+[[nodiscard]] bool lies_ahead(EngineContext& context, SiteId a, SiteId b,
+                              const Direction& direction, std::span<const LocalForm> forms,
+                              const Range& range);
+
+/// On which side of the plane through v, across the direction, each form's site lies: +1 ahead, -1
+/// behind, 0 if it is v. Nullopt if a site has possible feet on both sides, or on the plane outside
+/// v, or if two sites that are not on different sides may tie essentially.
+[[nodiscard]] std::optional<std::vector<int>> sides_of(EngineContext& context,
+                                                       std::span<const LocalForm> forms,
+                                                       std::uint32_t v, const Direction& direction,
+                                                       const Range& range);
+
+}  // namespace blum
