@@ -43,7 +43,8 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
 
 std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& segment,
                                             std::span<const SiteId> candidates,
-                                            std::span<const std::uint32_t> triangles) {
+                                            std::span<const std::uint32_t> triangles,
+                                            bool interior) {
   BLUM_CHECK(segment.t0 < segment.t1);
   const Setting setting = segment_setting(solid, segment, candidates, triangles);
   const Fiber fiber(setting, rational(0));
@@ -51,7 +52,7 @@ std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& s
     return 2 * fiber.point_of(setting.limit[k].curve[0].first, 0) + 1;
   };
   const auto is_inside = [&](double t) {
-    return inside(solid, exact(point_on(segment.axis, t, segment.u, segment.v)));
+    return interior || inside(solid, exact(point_on(segment.axis, t, segment.u, segment.v)));
   };
   const int first = end(0), last = end(1);
   for (const int p : {first, last})

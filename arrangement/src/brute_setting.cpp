@@ -247,10 +247,11 @@ Setting segment_setting(const Solid& solid, const Segment& segment,
 }
 
 Setting rect_setting(const Solid& solid, const Rect& rect, std::span<const SiteId> candidates,
-                     std::span<const std::uint32_t> triangles) {
+                     std::span<const std::uint32_t> triangles, bool interior) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     Setting s;
     s.solid = &solid;
+    s.interior = interior;
     s.triangle.assign(triangles.begin(), triangles.end());
     s.x[static_cast<std::size_t>(rect.axis)] = {0, 0, Rational(rect.level)};
     s.x[static_cast<std::size_t>(u_axis(rect.axis))] = {1, 0, 0};

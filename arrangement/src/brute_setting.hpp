@@ -36,7 +36,8 @@ struct Function {
 
 struct Setting {
   const Solid* solid = nullptr;
-  Moving x;  ///< the point with coordinates (u, v)
+  bool interior = false;  ///< FaceProblem::interior
+  Moving x;               ///< the point with coordinates (u, v)
   Rational shear;
   std::vector<SiteId> site;  ///< candidates without degenerate features
   std::vector<std::uint32_t> triangle;
@@ -67,7 +68,7 @@ struct Setting {
 /// The setting in the plane of the rectangle; limit[k] belongs to Side k.
 [[nodiscard]] Setting rect_setting(const Solid& solid, const Rect& rect,
                                    std::span<const SiteId> candidates,
-                                   std::span<const std::uint32_t> triangles);
+                                   std::span<const std::uint32_t> triangles, bool interior);
 
 /// Carriers equal or one contained in the other. Exact.
 [[nodiscard]] bool redundant(const Solid& solid, SiteId a, SiteId b);

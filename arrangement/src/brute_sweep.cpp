@@ -160,7 +160,7 @@ class Sweeper {
         const Rational u = s - s_.shear * v;
         Vector p;
         for (std::size_t c = 0; c < 3; ++c) p[c] = s_.x[c].cu * u + s_.x[c].cv * v + s_.x[c].c;
-        in = inside(*s_.solid, p);
+        in = s_.interior || inside(*s_.solid, p);
       }
       std::vector<Section> sections;
       if (cut(k, *fiber, here, lowest, in, sections)) {

@@ -604,9 +604,9 @@ Trouble FaceEngine::refine(Box box) {
   prune(context_.geometry, box.candidates, range_of(box), forms);
   Border border = border_of(box);
   if (accept(box, forms, border)) return {};
-  if (box.depth == kExactDepth && context_.exact_affordable()) {
+  if (box.depth == kExactDepth) {
     if (++exact_parts_ > kMaxExactParts) return {FaceStatus::kUndecided, "face: exact parts spent"};
-    if (accept_exact(box, forms)) return {};
+    if (accept_exact(box, forms, border)) return {};
   }
   if (box.depth >= kMaxDepth) return {FaceStatus::kUndecided, "face: depth spent"};
   box.candidates.clear();

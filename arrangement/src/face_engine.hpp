@@ -73,7 +73,8 @@ class FaceEngine {
   [[nodiscard]] bool accept_star(const Box& box, std::span<const LocalForm> forms,
                                  const Groups& groups, const Groups& feet, const Border& border);
   /// Decides the part by exact algebra; false if that cannot be or takes too many candidates.
-  [[nodiscard]] bool accept_exact(const Box& box, std::span<const LocalForm> forms);
+  [[nodiscard]] bool accept_exact(const Box& box, std::span<const LocalForm> forms,
+                                  const Border& border);
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t trace_element(std::uint32_t triangle);
   /// A cone about the point where a rim inside the solid crosses the plane.

@@ -12,15 +12,20 @@ constexpr std::size_t kMaxExactCandidates = 12;
 
 }  // namespace
 
-bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms) {
-  if (forms.size() > kMaxExactCandidates || !context_.exact_affordable()) return false;
+bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
+                              const Border& border) {
+  const bool interior = wholly_inside(border);
+  if (forms.size() > kMaxExactCandidates || !(interior || context_.exact_affordable()))
+    return false;
   std::vector<SiteId> sites;
   for (const LocalForm& f : forms) sites.push_back(f.site);
   std::sort(sites.begin(), sites.end());
   FaceProblem part = problem_;
+  part.triangles = {};
   part.rect = {problem_.rect.axis, problem_.rect.level, box.u0, box.u1, box.v0, box.v1};
   part.candidates = sites;
-  part.triangles = box.triangles;
+  if (!interior) part.triangles = box.triangles;
+  part.interior = interior;
   const FaceDiagram d = brute_face(part);
   if (d.status != FaceStatus::kDecided) return false;
   ++context_.counts.exact_parts;

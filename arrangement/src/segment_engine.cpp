@@ -50,14 +50,13 @@ bool SegmentEngine::isolate_exactly(const Segment& line, const StretchEnd& a, co
                                     std::span<const LocalForm> forms,
                                     std::vector<Breakpoint>& out) {
   if (a.triangle != Breakpoint::kNone || b.triangle != Breakpoint::kNone ||
-      forms.size() > kMaxExactCandidates || !context_.exact_affordable() ||
-      ++exact_stretches_ > kMaxExactStretches)
+      forms.size() > kMaxExactCandidates || ++exact_stretches_ > kMaxExactStretches)
     return false;
   std::vector<SiteId> sites;
   for (const LocalForm& f : forms) sites.push_back(f.site);
   std::sort(sites.begin(), sites.end());
-  const auto d =
-      brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t}, sites, {});
+  const auto d = brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t},
+                               sites, {}, true);
   if (!d) return false;
   ++context_.counts.exact_stretches;
   out.insert(out.end(), d->breakpoint.begin(), d->breakpoint.end());

@@ -7,13 +7,14 @@
 
 namespace blum {
 
-/// The exact diagram on a segment. Candidates and triangles as in FaceProblem.
+/// The exact diagram on a segment. Candidates, triangles and interior as in FaceProblem.
 /// Returns nullopt in bad position (an end on a tie or on ∂O, three essential governors at a
 /// point).
 [[nodiscard]] std::optional<SegmentDiagram> brute_segment(const Solid& solid,
                                                           const Segment& segment,
                                                           std::span<const SiteId> candidates,
-                                                          std::span<const std::uint32_t> triangles);
+                                                          std::span<const std::uint32_t> triangles,
+                                                          bool interior = false);
 
 /// The exact diagram. Every event is exact (FaceNode::exact), with all its governors, in a
 /// certified rectangle; four and more governors, tangencies, common components, arcs along domain

@@ -20,6 +20,7 @@ struct FaceProblem {
   Rect rect;
   std::span<const SiteId> candidates;
   std::span<const std::uint32_t> triangles;
+  bool interior = false;  ///< the rectangle is known to lie in O (then `triangles` is empty)
 };
 
 }  // namespace blum
