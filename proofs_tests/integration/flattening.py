@@ -16,12 +16,12 @@ def thin_plate():
 
 
 class Flattening(ToolTest):
-    def flatten(self, model, *options):
-        result = self.blum("medial", model, "-o", "x", "--summary", "x.json",
-                           "--coplanar-tolerance", "1e-6", "--write-flattened", "flat.off",
-                           *options)
+    def flatten(self, model, prefix):
+        """Writes PREFIX.ma and PREFIX.off; returns the summary as text and as JSON."""
+        result = self.blum("medial", model, "-o", prefix, "--summary", "summary.json",
+                           "--coplanar-tolerance", "1e-6", "--write-flattened", prefix + ".off")
         self.expect(result, 0)
-        return result.stdout, json.loads((self.folder / "x.json").read_text())
+        return result.stdout, json.loads((self.folder / "summary.json").read_text())
 
     def test_the_changed_solid_is_certified_saved_and_described(self):
         if not SHARED_MODELS.is_dir():
@@ -29,7 +29,7 @@ class Flattening(ToolTest):
         for model, moved, flat, left, betti in [(CUBE_MINUS_OCTANT, 11, (7, 15), 0, [1, 0, 0]),
                                                 (JOINT, 11, (321, 341), 2, [1, 2, 0])]:
             with self.subTest(model.name):
-                text, summary = self.flatten(model)
+                text, summary = self.flatten(model, "once")
                 self.assertIs(summary["result"]["certified"], True)
                 self.assertEqual(summary["result"]["betti"], betti)
                 changes = summary["coplanar"]
@@ -39,14 +39,15 @@ class Flattening(ToolTest):
                 self.assertEqual(changes["nearly_flat_edges_left"], left)
                 self.assertGreater(changes["largest_displacement"], 0)
                 self.assertIn(f"changed    {moved} vertices moved by at most", text)
-                flat = json.loads(self.blum("info", "flat.off", "--json").stdout)
-                self.assertEqual(flat["solid"]["betti"], betti)
-                first = [(self.folder / name).read_bytes() for name in ("x.ma", "flat.off")]
-                text, summary = self.flatten("flat.off", "-o", "y", "--write-flattened", "z.off")
+                info = json.loads(self.blum("info", "once.off", "--json").stdout)
+                self.assertEqual(info["solid"]["betti"], betti)
+                text, summary = self.flatten("once.off", "twice")
                 self.assertIn("changed    nothing", text)
                 self.assertEqual(summary["coplanar"]["vertices_moved"], 0)
-                again = [(self.folder / name).read_bytes() for name in ("y.ma", "z.off")]
-                self.assertEqual(first, again)
+                for suffix in (".off", ".ma"):
+                    once, twice = ((self.folder / (name + suffix)).read_bytes()
+                                   for name in ("once", "twice"))
+                    self.assertEqual(once, twice)
 
     def test_tolerance_0_changes_nothing(self):
         self.expect(self.blum("make", "lbracket", "-o", "l.off", "--rotate", "1"), 0)
