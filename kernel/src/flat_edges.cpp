@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rounded_vectors.hpp"
+
 namespace blum {
 namespace {
-
-Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Point3 normal(const Solid& solid, std::uint32_t triangle) {
   const auto& v = solid.triangle[triangle].vertex;
@@ -26,7 +22,7 @@ double distance_off(const Solid& solid, std::uint32_t triangle, std::uint32_t on
     const Point3 to_v = difference(solid.point[v], solid.point[on_plane]);
     most = std::max(most, std::abs(dot(normal, to_v)));
   }
-  return most / std::hypot(normal.x, normal.y, normal.z);
+  return most / norm(normal);
 }
 
 }  // namespace

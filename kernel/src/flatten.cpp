@@ -9,6 +9,7 @@
 #include "flat_edges.hpp"
 #include "flatten_levels.hpp"
 #include "flatten_slivers.hpp"
+#include "rounded_vectors.hpp"
 #include "validate_surface.hpp"
 
 namespace blum {
@@ -21,9 +22,6 @@ constexpr double kShareOfAnAxis = 0.577;
 constexpr double kNearlyParallel = 0.9;
 
 using Face = std::vector<std::uint32_t>;
-
-Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double norm(const Point3& a) { return std::hypot(a.x, a.y, a.z); }
 
 double diagonal(const std::vector<Point3>& points) {
   Point3 lo = points.front(), hi = lo;
@@ -39,12 +37,9 @@ double diagonal(const std::vector<Point3>& points) {
 Point3 newell_normal(const std::vector<Point3>& points, const Face& face) {
   Point3 n;
   for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-    const Point3 a = difference(points[face[k]], points[face[0]]);
-    const Point3 b = difference(points[face[k + 1]], points[face[0]]);
-    for (int axis = 0; axis < 3; ++axis) {
-      const int u = u_axis(axis), v = v_axis(axis);
-      n[axis] += a[u] * b[v] - a[v] * b[u];
-    }
+    const Point3 part = cross(difference(points[face[k]], points[face[0]]),
+                              difference(points[face[k + 1]], points[face[0]]));
+    for (int axis = 0; axis < 3; ++axis) n[axis] += part[axis];
   }
   return n;
 }
@@ -92,14 +87,6 @@ void put_on_levels(PolygonMesh& mesh, int axis, const std::vector<bool>& is_leve
     // Not assigned where it is equal: -0 stays what it is.
     if (const double level = is_level[v] ? levels.level_of(x) : x; level != x) x = level;
   }
-}
-
-bool same_topology(const Solid& a, const Solid& b) {
-  return std::equal(a.shell.begin(), a.shell.end(), b.shell.begin(), b.shell.end(),
-                    [](const Shell& s, const Shell& t) {
-                      return s.genus == t.genus && s.is_void == t.is_void &&
-                             s.component == t.component;
-                    });
 }
 
 Error broken(const std::string& what) {
@@ -150,8 +137,8 @@ Result<Flattened> flatten_facets(const PolygonMesh& mesh, double tolerance) {
   Result<Solid> changed_solid = build_solid(changed, changed_surface);
   if (!changed_solid) return broken(changed_solid.error().message);
   if (changed_surface.inverted != surface.inverted ||
-      !same_topology(solid.value(), changed_solid.value())) {
-    return broken("a solid of other topology");
+      changed_solid.value().betti() != solid.value().betti()) {
+    return broken("a solid of other Betti numbers, or inside out");
   }
   report.before = count_edges(solid.value(), allowed);
   report.after = count_edges(changed_solid.value(), allowed);

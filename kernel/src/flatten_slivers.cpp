@@ -1,12 +1,12 @@
 #include "flatten_slivers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "exact_geometry.hpp"
+#include "rounded_vectors.hpp"
 
 namespace blum {
 namespace {
@@ -33,9 +33,7 @@ bool has_collapsed(const PolygonMesh& before, const PolygonMesh& after, const Fa
 /// Begins the triangle at the corner opposite its longest side.
 void begin_at_middle(const PolygonMesh& mesh, Face& triangle) {
   const auto opposite = [&](int k) {
-    const Point3& a = mesh.points[triangle[(k + 1) % 3]];
-    const Point3& b = mesh.points[triangle[(k + 2) % 3]];
-    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+    return norm(difference(mesh.points[triangle[(k + 1) % 3]], mesh.points[triangle[(k + 2) % 3]]));
   };
   int middle = 0;
   for (int k = 1; k < 3; ++k) {

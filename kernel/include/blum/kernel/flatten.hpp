@@ -49,7 +49,7 @@ struct Flattened {
 ///
 /// Errors: kBadArgument for a tolerance outside [0, 1]; those of build_solid for an invalid mesh;
 /// kInvalidSolid, with all defects and their places, if the changed mesh bounds no solid or one of
-/// other topology (a wall thinner than the tolerance collapses).
+/// other Betti numbers (a wall thinner than the tolerance collapses).
 [[nodiscard]] Result<Flattened> flatten_facets(const PolygonMesh& mesh, double tolerance);
 
 }  // namespace blum
