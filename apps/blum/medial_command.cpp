@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 
+#include "blum/kernel/flatten.hpp"
 #include "blum/kernel/mesh.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/kernel/validate.hpp"
@@ -26,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct MedialArguments {
-  std::string model, prefix, summary;
-  double epsilon = 0;  // of the diagonal
+  std::string model, prefix, summary, flattened;
+  double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
   MedialOptions options;
 };
 
@@ -60,7 +61,9 @@ class Stopwatch {
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
-  if (!arguments.summary.empty()) files.emplace_back(arguments.summary);
+  for (const std::string& name : {arguments.summary, arguments.flattened}) {
+    if (!name.empty()) files.emplace_back(name);
+  }
   return files;
 }
 
@@ -84,6 +87,11 @@ std::optional<Error> output_problem(const std::vector<fs::path>& files) {
   return std::nullopt;
 }
 
+Error in_file(Error error, const std::string& file) {
+  error.file = file;
+  return error;
+}
+
 int interrupted() {
   std::cerr << "blum: interrupted\n";
   return kSignalBase + interrupted_by();
@@ -91,6 +99,9 @@ int interrupted() {
 
 int run_medial(MedialArguments arguments) {
   if (!(arguments.epsilon >= 0)) return report_usage("--epsilon: not a length");
+  if (!(arguments.coplanar_tolerance >= 0 && arguments.coplanar_tolerance <= 1)) {
+    return report_usage("--coplanar-tolerance: not in [0, 1]");
+  }
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
   for (const fs::path& file : outputs(arguments)) {
@@ -104,14 +115,23 @@ int run_medial(MedialArguments arguments) {
   SummaryInput summary;
   summary.model = arguments.model;
   summary.version = BLUM_VERSION;
-  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  Result<PolygonMesh> mesh = read_mesh(arguments.model);
   if (!mesh) return report(mesh.error());
   summary.read_s = phase.lap();
-  const Result<Solid> solid = build_solid(mesh.value());
+  Result<Solid> solid = build_solid(mesh.value());
   if (!solid) {
     return solid.error().code == ErrorCode::kInvalidSolid
                ? report_invalid(arguments.model, validate_mesh(mesh.value()))
                : report(solid.error());
+  }
+  FlattenReport changed;
+  if (arguments.coplanar_tolerance > 0) {
+    Result<Flattened> flattened = flatten_facets(mesh.value(), arguments.coplanar_tolerance);
+    if (!flattened) return report(in_file(flattened.error(), arguments.model));
+    changed = flattened.value().report;
+    summary.flattened = &changed;
+    mesh = std::move(flattened.value().mesh);
+    solid = std::move(flattened.value().solid);
   }
   summary.sites_s = phase.lap();
   for (const std::string& warning : solid.value().warnings) {
@@ -139,6 +159,9 @@ int run_medial(MedialArguments arguments) {
   summary.peak_memory_bytes = peak_memory_bytes();
   std::vector<TextFile> texts;
   if (!arguments.summary.empty()) texts.push_back({arguments.summary, summary_json(summary)});
+  if (!arguments.flattened.empty()) {
+    texts.push_back({arguments.flattened, off_text(mesh.value())});
+  }
   if (const auto error = write_medial(result.value(), solid.value(), arguments.prefix, texts)) {
     return report(*error);
   }
@@ -167,6 +190,17 @@ Command add_medial_command(CLI::App& app) {
                    "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
                    "the diagonal; 0: as coarse as the topology allows")
       ->capture_default_str();
+  CLI::Option* const coplanar =
+      medial
+          ->add_option("--coplanar-tolerance", arguments->coplanar_tolerance,
+                       "Make nearly axis-parallel facets and edges exactly so; no vertex moves by\n"
+                       "more than this fraction of the diagonal. The changed solid is what is\n"
+                       "certified; 0: the solid is taken as it is")
+          ->capture_default_str();
+  medial
+      ->add_option("--write-flattened", arguments->flattened,
+                   "Write the solid so changed to this file, as OFF")
+      ->needs(coplanar);
   medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
           {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
@@ -189,7 +223,8 @@ Command add_medial_command(CLI::App& app) {
 Examples:
   blum medial part.stl
   blum medial part.stl --resolve --epsilon 0.05
-  blum medial part.stl -o out/part --summary out/part.json --time-limit 60)");
+  blum medial part.stl -o out/part --summary out/part.json --time-limit 60
+  blum medial part.stl --coplanar-tolerance 1e-6 --write-flattened out/flat.off)");
   return [arguments] { return run_medial(*arguments); };
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "blum/kernel/solid.hpp"
+#include "rounded_vectors.hpp"
 #include "validate_surface.hpp"
 
 namespace blum {
@@ -14,13 +15,6 @@ namespace {
 
 constexpr double kNearlyFlatDeg = 1e-4;
 constexpr double kShortEdge = 1e-6;  // of the diagonal
-
-Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double norm(const Point3& a) { return std::hypot(a.x, a.y, a.z); }
 
 /// Interior dihedral angle in degrees, rounded; 180 exactly for flat edges.
 double dihedral_deg(const Solid& solid, const SolidEdge& e) {

@@ -16,6 +16,8 @@ void append(std::string& out, Number x) {
   out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr);
 }
 
+}  // namespace
+
 std::string off_text(const PolygonMesh& mesh) {
   std::string out = "OFF\n";
   append(out, mesh.points.size());
@@ -38,8 +40,6 @@ std::string off_text(const PolygonMesh& mesh) {
   }
   return out;
 }
-
-}  // namespace
 
 std::optional<Error> write_off(const PolygonMesh& mesh, const std::filesystem::path& file) {
   const auto fail = [&](const std::string& what) {

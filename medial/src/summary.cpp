@@ -30,6 +30,17 @@ Json undecided_cells(const std::vector<UndecidedCell>& cells) {
   return list;
 }
 
+Json to_json(const FlattenReport& report) {
+  return {{"tolerance", report.tolerance},
+          {"vertices_moved", report.vertices_moved},
+          {"largest_displacement", report.largest_displacement},
+          {"slivers_dropped", report.slivers_dropped},
+          {"flat_edges_before", report.before.flat},
+          {"flat_edges_after", report.after.flat},
+          {"nearly_flat_edges_before", report.before.nearly_flat},
+          {"nearly_flat_edges_left", report.after.nearly_flat}};
+}
+
 /// printf with its own memory: 40 formats read better here than as streams.
 template <class... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -41,6 +52,19 @@ void append(std::string& text, const char* format, Values... values) {
 /// "n word" or "n words".
 std::string counted(std::size_t n, std::string_view word) {
   return std::to_string(n) + ' ' + std::string(word) + (n == 1 ? "" : "s");
+}
+
+void append_changes(std::string& text, const FlattenReport& report) {
+  if (report.vertices_moved == 0) {
+    append(text, "changed    nothing (--coplanar-tolerance %g)\n", report.tolerance);
+  } else {
+    append(text, "changed    %zu %s moved by at most %.3g, ", report.vertices_moved,
+           report.vertices_moved == 1 ? "vertex" : "vertices", report.largest_displacement);
+    text += counted(report.slivers_dropped, "sliver") + " dropped";
+    append(text, " (--coplanar-tolerance %g)\n", report.tolerance);
+  }
+  append(text, "flat       %zu edges, before %zu; nearly flat %zu, before %zu\n", report.after.flat,
+         report.before.flat, report.after.nearly_flat, report.before.nearly_flat);
 }
 
 }  // namespace
@@ -78,6 +102,7 @@ std::string summary_json(const SummaryInput& input) {
       {"threads", r.threads},
       {"version", input.version},
   };
+  if (input.flattened != nullptr) json["coplanar"] = to_json(*input.flattened);
   if (!r.undecided.empty()) json["undecided"] = undecided_cells(r.undecided);
   // File names need not be UTF-8: bytes that are not are replaced, never a reason to fail.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -88,6 +113,7 @@ std::string summary_text(const SummaryInput& input) {
   const MedialResult& r = *input.result;
   const SiteCounts sites = count_sites(*input.solid);
   std::string text = "model      " + input.model + '\n';
+  if (input.flattened != nullptr) append_changes(text, *input.flattened);
   text += "sites      " + std::to_string(sites.vertices) + " vertices, " +
           std::to_string(sites.edges) + " edges, " + std::to_string(sites.faces) + " faces\n";
   append(text, "solid      Betti numbers %ld %ld %ld\n", r.solid_betti[0], r.solid_betti[1],

@@ -24,6 +24,10 @@ class Usage(ToolTest):
             ["medial", "box.off", "--time-limit", "nan"],
             ["medial", "box.off", "--time-limit", "soon"],
             ["medial", "box.off", "--threads", "0"],
+            ["medial", "box.off", "--coplanar-tolerance", "-1"],
+            ["medial", "box.off", "--coplanar-tolerance", "nan"],
+            ["medial", "box.off", "--coplanar-tolerance", "2"],
+            ["medial", "box.off", "--write-flattened", "flat.off"],
             ["medial", "box.off", "-o"],
             ["make", "cuboid"],
             ["make", "-o", "x.off"],
@@ -77,7 +81,9 @@ class Usage(ToolTest):
             numbers = numbers[count + 1:]
         model = self.file("box.obj", text)
         for arguments in [["medial", "box.obj"], ["medial", "box.obj", "-o", "./box"],
-                          ["medial", "box.obj", "-o", "other", "--summary", "box.obj"]]:
+                          ["medial", "box.obj", "-o", "other", "--summary", "box.obj"],
+                          ["medial", "box.obj", "-o", "other", "--coplanar-tolerance", "0",
+                           "--write-flattened", "box.obj"]]:
             with self.subTest(arguments):
                 self.expect(self.blum(*arguments), 1)
                 self.assertEqual(model.read_text(), text)

@@ -37,7 +37,7 @@ struct Sample {
     result.threads = 2;
   }
   [[nodiscard]] SummaryInput input() const {
-    return {"part.off", &solid, &result, 0.125, 0.0625, 1.5, 123456789, "0.1.0"};
+    return {"part.off", &solid, &result, 0.125, 0.0625, 1.5, 123456789, "0.1.0", nullptr};
   }
   Solid solid;
   MedialResult result;
@@ -106,6 +106,27 @@ TEST(SummaryText, SaysWhetherTheResultIsCertified) {
   EXPECT_NE(bad.find("NOT certified, 7 cells undecided"), std::string::npos) << bad;
   EXPECT_NE(bad.find("(0, 0, 0) to (1, 2, 3)"), std::string::npos) << bad;
   EXPECT_NE(bad.find("and 2 more"), std::string::npos) << bad;
+}
+
+TEST(Summary, FlattenedSolid_SaysWhatWasChanged) {
+  const Sample sample;
+  FlattenReport report{1e-6, 12, 1.25e-6, 1, {7, 8}, {15, 2}};
+  SummaryInput input = sample.input();
+  input.flattened = &report;
+  EXPECT_EQ(Json::parse(summary_json(input))["coplanar"], Json({{"tolerance", 1e-6},
+                                                                {"vertices_moved", 12},
+                                                                {"largest_displacement", 1.25e-6},
+                                                                {"slivers_dropped", 1},
+                                                                {"flat_edges_before", 7},
+                                                                {"flat_edges_after", 15},
+                                                                {"nearly_flat_edges_before", 8},
+                                                                {"nearly_flat_edges_left", 2}}));
+  const std::string text = summary_text(input);
+  EXPECT_NE(text.find("12 vertices moved by at most 1.25e-06, 1 sliver dropped"), std::string::npos)
+      << text;
+  report.vertices_moved = 0;
+  EXPECT_NE(summary_text(input).find("changed    nothing (--coplanar-tolerance 1e-06)"),
+            std::string::npos);
 }
 
 TEST(PeakMemory, IsPlausible) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "blum/kernel/point.hpp"
@@ -25,5 +27,7 @@ struct PolygonMesh {
 /// and a rename.
 [[nodiscard]] std::optional<Error> write_off(const PolygonMesh& mesh,
                                              const std::filesystem::path& file);
+/// The content of that file.
+[[nodiscard]] std::string off_text(const PolygonMesh& mesh);
 
 }  // namespace blum

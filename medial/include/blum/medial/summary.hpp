@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "blum/kernel/flatten.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/medial/medial_axis.hpp"
 
@@ -18,6 +19,7 @@ struct SummaryInput {
   double total_s = 0;
   std::uint64_t peak_memory_bytes = 0;
   std::string version;
+  const FlattenReport* flattened = nullptr;  ///< what was changed before, if anything was asked for
 };
 
 /// Highest resident memory of this process so far; 0 where the system does not tell.
@@ -30,7 +32,10 @@ struct SummaryInput {
 ///   {"read","sites","subdivide","assemble","total"}, "peak_memory_bytes", "seed", "threads",
 ///   "version"}
 /// result.betti is null unless the result is certified. Only if cells are undecided there is one
-/// more key, "undecided": [{"reason", "lo", "hi"}], at most the first 1000 of them.
+/// more key, "undecided": [{"reason", "lo", "hi"}], at most the first 1000 of them. Only if the
+/// solid was flattened there is "coplanar": {"tolerance","vertices_moved","largest_displacement",
+/// "slivers_dropped","flat_edges_before","flat_edges_after","nearly_flat_edges_before",
+/// "nearly_flat_edges_left"}; "solid" and all that follows are then about the changed solid.
 /// Numbers that are not finite become null. Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
