@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "face_engine.hpp"
+#include "polar_cone.hpp"
 
 namespace blum {
 
@@ -124,12 +125,15 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
   // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
   // where feet merge in v.
   const std::uint32_t ties = ties_of(border.circle[0]);
-  std::uint32_t most = 3;
-  if (may_be_foot(context_, *v, forms, range))
-    most = context_.foot_cone(*v) == Predicates::FootCone::kRay ? 2 : 1;
-  else if (ties == 1)
+  if (ties > 3 || !feet_stay_at(context_.geometry, *v, range)) return false;
+  if (ties > 0 && may_be_foot(context_, *v, forms, range) &&
+      meets_polar_cone(context_.geometry.solid(), *v,
+                       point_on(problem_.rect.axis, problem_.rect.level, box.u0, box.v0),
+                       point_on(problem_.rect.axis, problem_.rect.level, box.u1, box.v1))) {
+    if (ties > (context_.foot_cone(*v) == Predicates::FootCone::kRay ? 2 : 1)) return false;
+  } else if (ties == 1) {
     return false;
-  if (ties > most || !feet_stay_at(context_.geometry, *v, range)) return false;
+  }
   context_.counts.rims += ties == 1;
   record(border.circle[0], forms, feet, box, ties, ties == 1);
   return true;

@@ -4,6 +4,7 @@
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
+#include "polar_cone.hpp"
 
 namespace blum {
 namespace {
@@ -137,8 +138,16 @@ bool SegmentEngine::merge_at_most_once(const Segment& line, const StretchEnd& a,
       const int sa = side_of(a.label), sb = side_of(b.label);
       BLUM_CHECK(sa <= sb);
       if (sa == -1 && sb == 1) {
-        if (context_.foot_cone(v) == Predicates::FootCone::kWide) continue;
-        out.push_back(tie_between(a, b));
+        // Where all sites meet in v, it is a foot in its whole polar cone.
+        const bool star = std::all_of(forms.begin(), forms.end(), [&](const LocalForm& g) {
+          int m = 0;
+          const auto c = geometry.corners(g.site, m);
+          return std::find(c.begin(), c.begin() + m, v) != c.begin() + m;
+        });
+        const bool meets = meets_polar_cone(geometry.solid(), v, at(line, std::min(a.t, b.t)),
+                                            at(line, std::max(a.t, b.t)));
+        if (meets && !star) continue;
+        if (!meets) out.push_back(tie_between(a, b));
       }
       return true;
     }
