@@ -154,7 +154,7 @@ struct Subdivided {
   Subdivided(const PolygonMesh& mesh, const SubdivisionOptions& options)
       : solid(solid_of(mesh)),
         geometry(solid),
-        engines(geometry, options.engine, options.seed, options.resolve),
+        engines(geometry, options),
         result(subdivide(geometry, options, engines)) {}
   Subdivided(const Subdivided&) = delete;
 

@@ -29,8 +29,10 @@ struct SummaryInput {
 ///   "undecided_cells","hausdorff_bound"}, "stages": {"filter","extended","exact"}, "time_s":
 ///   {"read","sites","subdivide","assemble","total"}, "peak_memory_bytes", "seed", "threads",
 ///   "version"}
-/// result.betti is null unless the result is certified. Only if cells are undecided there is one
-/// more key, "undecided": [{"reason", "lo", "hi"}], at most the first 1000 of them.
+/// result.betti is null unless the result is certified. Only if cells are undecided there are two
+/// more keys: "undecided_by_reason": {"depth": 3, ...}, with the reasons that occur, and
+/// "undecided":
+/// [{"reason", "depth", "lo", "hi"}], at most the first 1000 of them.
 /// Numbers that are not finite become null. Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
