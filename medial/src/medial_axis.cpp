@@ -68,18 +68,19 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
   result.seed = options.seed;
 
   const auto start = std::chrono::steady_clock::now();
+  RunWatch watch(options);
   const SiteGeometry geometry(solid);
-  EngineSet engines(geometry, options);
+  EngineSet engines(geometry, options, watch);
   result.threads = engines.threads();
   Result<Subdivision> subdivided = subdivide(geometry, options, engines);
   if (!subdivided) return subdivided.error();
   result.time.subdivide_s = seconds_since(start);
 
   const auto middle = std::chrono::steady_clock::now();
-  engines.watch().extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
+  watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
   Assembly assembly = assemble(geometry, subdivided.value(), engines);
-  engines.watch().rethrow();
-  const Stop stop = engines.watch().look();
+  watch.rethrow();
+  const Stop stop = watch.look();
   if (stop == Stop::kInterrupted)
     return Error{ErrorCode::kInterrupted, "interrupted during assembly", "", {}};
   report_leaves(solid.frame, subdivided.value(), assembly, stop, result);

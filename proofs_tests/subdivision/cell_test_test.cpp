@@ -15,7 +15,7 @@ using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 /// A solid with an engine; cells are given in model units.
 struct Bench {
   explicit Bench(const PolygonMesh& mesh)
-      : solid(test::solid_of(mesh)), geometry(solid), engines(geometry, {}) {
+      : solid(test::solid_of(mesh)), geometry(solid), watch({}), engines(geometry, {}, watch) {
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) triangles.push_back(t);
   }
   Bench(const Bench&) = delete;
@@ -74,6 +74,7 @@ struct Bench {
 
   const Solid solid;
   const SiteGeometry geometry;
+  RunWatch watch;
   EngineSet engines;
   std::vector<std::uint32_t> triangles;
   std::set<std::uint32_t> asked;  // vertices that the last test asked about

@@ -14,7 +14,8 @@ struct Fixture {
   Fixture()
       : solid(test::solid_of(shapes::cuboid(1, 1.25, 2))),
         geometry(solid),
-        engines(geometry, {}),
+        watch({}),
+        engines(geometry, {}, watch),
         candidates(geometry.candidates().begin(), geometry.candidates().end()) {
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) triangles.push_back(t);
     for (int k = 0; k < 3; ++k) {
@@ -27,6 +28,7 @@ struct Fixture {
   }
   const Solid solid;
   const SiteGeometry geometry;
+  RunWatch watch;
   EngineSet engines;
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;

@@ -37,8 +37,9 @@ class BruteEngine final : public DiagramEngine {
 
 }  // namespace
 
-EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options)
-    : watch_(options), inside_(geometry.solid()) {
+EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options,
+                     RunWatch& watch)
+    : watch_(watch), inside_(geometry.solid()) {
   for (int t = 0; t < options.threads; ++t) {
     production_.emplace_back(geometry, inside_, options.seed, options.resolve);
     production_.back().stop_on(&watch_.flag());

@@ -1,5 +1,7 @@
 #include "blum/subdivision/parallel.hpp"
 
+#include <flint/flint.h>
+
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -24,7 +26,10 @@ void in_parallel(int threads, const std::function<void(int)>& body) {
     std::vector<std::jthread> started;
     for (int t = 1; t < threads; ++t) {
       try {
-        started.emplace_back(guarded, t);
+        started.emplace_back([&, t] {
+          guarded(t);
+          flint_cleanup();  // gives back what FLINT keeps for this thread
+        });
       } catch (const std::system_error&) {
         break;
       }

@@ -12,11 +12,11 @@
 
 namespace blum {
 
-/// The time limit counts from the construction. Requires options.threads >= 1. `thread` below: less
-/// than threads(); what it gives must be used by one thread at a time.
+/// Requires options.threads >= 1; the watch is made from the same options and outlives this.
+/// `thread` below: less than threads(); what it gives must be used by one thread at a time.
 class EngineSet {
  public:
-  EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options);
+  EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options, RunWatch& watch);
 
   [[nodiscard]] int threads() const { return static_cast<int>(production_.size()); }
   /// Always there, for pruning.
@@ -31,7 +31,7 @@ class EngineSet {
   [[nodiscard]] StageCounts stages();
 
  private:
-  RunWatch watch_;
+  RunWatch& watch_;
   InsideOracle inside_;
   std::vector<ProductionEngine> production_;
   std::vector<std::unique_ptr<DiagramEngine>> chosen_;  // empty: production
