@@ -13,7 +13,7 @@
 namespace blum {
 namespace {
 
-// Of the time limit, and in seconds: what the assembly gets when the limit is reached before it.
+// What is added to the time limit for the assembly: a part of it, at least so many seconds.
 constexpr double kExtension = 0.05, kLeastExtension = 0.5;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {

@@ -96,10 +96,10 @@ void RunWatch::tell() {
 
 void RunWatch::extend(double seconds) {
   const std::lock_guard lock(mutex_);
+  if (deadline_ != Clock::time_point::max()) deadline_ += of_seconds(seconds);
   if (why_ != Stop::kTime) return;
   why_ = Stop::kNone;
   flag_ = false;
-  deadline_ = Clock::now() + of_seconds(seconds);
 }
 
 void RunWatch::rethrow() {

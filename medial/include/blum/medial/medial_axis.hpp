@@ -45,9 +45,10 @@ struct MedialResult {
 };
 
 /// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says
-/// certified == false and lists what is undecided. When the time is up, a twentieth of it (at least
-/// half a second) is left for assembling what has been decided; if that does not suffice, or memory
-/// is what ran out, the complex is empty and all cells that meet the axis are listed.
+/// certified == false and lists what is undecided. The time limit
+/// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
+/// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
+/// and all cells that meet the axis are listed.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options);
 

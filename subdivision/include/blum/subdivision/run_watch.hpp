@@ -39,7 +39,7 @@ class RunWatch {
   /// How far the run is, at most as often as the worker likes. on_progress gets values that rise.
   void report(const Progress& progress);
 
-  /// After kTime, and only then: the run may go on for some more seconds. Requires that nobody
+  /// Adds to the time limit, if there is one; after kTime the run may go on. Requires that nobody
   /// works at the moment.
   void extend(double seconds);
 

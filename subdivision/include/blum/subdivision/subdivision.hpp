@@ -37,7 +37,7 @@ struct SubdivisionOptions {
   /// undecided depends on their timing; nothing else of a result does, but for the two limits
   /// below.
   std::size_t max_cells = 20'000'000;
-  double time_limit_s = 0;             ///< of the whole run; 0: none
+  double time_limit_s = 0;             ///< see compute_medial_axis; 0: none
   std::uint64_t max_memory_bytes = 0;  ///< resident, of the process; 0: no limit
   int threads = 1;                     ///< at least 1
   /// Called now and then, from any thread but never by two at once; returning false interrupts the
