@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <thread>
 
 #include "blum/kernel/flatten.hpp"
 #include "blum/kernel/mesh.hpp"
@@ -29,8 +30,16 @@ namespace fs = std::filesystem;
 struct MedialArguments {
   std::string model, prefix, summary, flattened;
   double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
+  std::uint64_t max_memory_mib = 0;            // 0: no limit
   MedialOptions options;
 };
+
+constexpr int kMostThreads = 1024;
+constexpr std::uint64_t kMostMemoryMib = std::uint64_t{1} << 32;
+
+int cores() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+}
 
 double diagonal(const PolygonMesh& mesh) {
   Point3 lo = mesh.points.front(), hi = lo;
@@ -57,7 +66,9 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The files a run is going to write.
+constexpr const char* kUndecidedSuffix = ".undecided.vtp";
+
+/// The files a run is going to write; the one of what is undecided is not among them.
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
@@ -137,8 +148,11 @@ int run_medial(MedialArguments arguments) {
   for (const std::string& warning : solid.value().warnings) {
     std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
   }
+  arguments.options.max_memory_bytes = arguments.max_memory_mib << 20;
   arguments.options.max_leaf_diameter = arguments.epsilon * diagonal(mesh.value());
-  if (const auto problem = output_problem(outputs(arguments))) return report(*problem);
+  std::vector<fs::path> files = outputs(arguments);
+  files.emplace_back(arguments.prefix + kUndecidedSuffix);
+  if (const auto problem = output_problem(files)) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
   const auto compute = [&] {
@@ -166,8 +180,10 @@ int run_medial(MedialArguments arguments) {
     return report(*error);
   }
   std::cout << summary_text(summary);
-  for (const fs::path& file : outputs(arguments)) std::cout << "wrote " << file.string() << '\n';
-  return result.value().certified ? kSuccess : kNotCertified;
+  const bool certified = result.value().certified;
+  if (certified) files.pop_back();
+  for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
+  return certified ? kSuccess : kNotCertified;
 }
 
 }  // namespace
@@ -211,14 +227,23 @@ Command add_medial_command(CLI::App& app) {
   medial->add_option("--max-cells", options.max_cells, "Cells to look at")
       ->check(kDigits)
       ->capture_default_str();
-  medial->add_option("--time-limit", options.time_limit_s, "Seconds of subdivision; 0: no limit")
+  medial->add_option("--time-limit", options.time_limit_s, "Seconds of computing; 0: no limit")
       ->capture_default_str();
-  medial->add_option("--threads", options.threads, "How many may be used; this version uses one")
-      ->check(CLI::Range(1, 1024))
+  medial
+      ->add_option("--max-memory", arguments->max_memory_mib,
+                   "MiB that the process may take; 0: no limit")
+      ->check(CLI::Range(std::uint64_t{0}, kMostMemoryMib))
+      ->capture_default_str();
+  options.threads = cores();
+  medial
+      ->add_option("--threads", options.threads,
+                   "The result does not depend on it (default: the number of cores)")
+      ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str();
   medial->footer(
       R"(Writes PREFIX.ma (text), PREFIX.vtp (ParaView) and PREFIX.obj. Cells that the budget
-(--max-depth, --max-cells, --time-limit) leaves undecided are reported, with exit code 3.
+(--max-depth, --max-cells, --time-limit, --max-memory) leaves undecided are reported and written
+to PREFIX.undecided.vtp as boxes, with exit code 3.
 
 Examples:
   blum medial part.stl

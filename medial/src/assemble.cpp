@@ -9,6 +9,9 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/union_find.hpp"
+#include "blum/subdivision/cell_test.hpp"
+#include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/parallel.hpp"
 #include "locate.hpp"
 
 namespace blum {
@@ -16,14 +19,17 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
+bool is_accepted(const Leaf& leaf) {
+  return leaf.theorem == LeafTheorem::kConical || leaf.theorem == LeafTheorem::kBoundary;
+}
+
 class Assembler {
  public:
   Assembler(const SiteGeometry& geometry, const Subdivision& subdivision, EngineSet& engines)
       : geometry_(geometry),
         solid_(geometry.solid()),
         subdivision_(subdivision),
-        engines_(engines),
-        locator_(geometry, engines.production(), engines.inside()) {}
+        engines_(engines) {}
 
   Assembly run();
 
@@ -32,7 +38,20 @@ class Assembler {
   struct Interface {
     std::uint32_t low, high;  // leaves
     Rect rect;
-    std::shared_ptr<const FaceDiagram> diagram;
+    std::shared_ptr<const FaceDiagram> diagram;  // null: the run was stopped before
+    std::vector<Placed> placed;                  // the diagram's nodes, but those on its sides
+
+    [[nodiscard]] bool decided() const {
+      return diagram && diagram->status == FaceStatus::kDecided;
+    }
+  };
+  /// A part of a cell edge with no end of an interface's side in its interior.
+  struct EdgeTies {
+    Segment part;
+    const Interface* asker;  // the first interface beside it
+    bool decided;
+    std::vector<Placed> placed;
+    std::vector<std::uint32_t> vertex;  // complex vertices in order
   };
   using LineKey = std::tuple<int, double, double>;
   struct LeafGraph {
@@ -40,32 +59,45 @@ class Assembler {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  // (boundary edge, vertex)
   };
 
-  void pair_cells(std::uint32_t node);
-  void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
+  // The steps; each ends early when the run is stopped.
+  void pair_cells();
   void solve_interfaces();
   void cut_lines();
+  void solve_ties();
+  void add_interfaces();
+  void add_leaves();
+
+  [[nodiscard]] bool stopped() { return engines_.watch().flag(); }
+  void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
+  void solve_interface(Interface& interface, int thread);
+  [[nodiscard]] static Placed place(Locator& locator, const Rect& rect, const FaceNode& node,
+                                    std::span<const SiteId> candidates);
+  /// visit(side, part) for the parts of the four sides, in order along each.
+  template <class Visit>
+  void for_each_part(const Interface& interface, Visit visit) const;
+  void solve_ties_on(EdgeTies& ties, int thread);
   void drop(const Interface& interface);
-  /// Ties on the minimal edges of a side; false if one cannot be decided.
-  [[nodiscard]] bool solve_ties(const Interface& interface, int side);
-  [[nodiscard]] std::vector<std::uint32_t> ties_of(const Interface& interface, int side) const;
   void add_interface(const Interface& interface);
   void add_leaf(std::uint32_t leaf);
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
   [[nodiscard]] const Leaf& donor(const Interface& i) const;
+  [[nodiscard]] Locator locator_of(int thread) {
+    return {geometry_, engines_.production(thread), engines_.inside()};
+  }
 
   const SiteGeometry& geometry_;
   const Solid& solid_;
   const Subdivision& subdivision_;
   EngineSet& engines_;
-  Locator locator_;
   std::vector<Interface> interface_;
   std::map<LineKey, std::vector<double>> line_;  // breakpoints of minimal interface edges
-  struct EdgeTies {
-    bool decided = true;
-    std::vector<std::uint32_t> vertex;  // complex vertices in order
-  };
-  std::map<std::tuple<LineKey, double>, EdgeTies> tie_;  // minimal edges, by lower end
-  std::vector<bool> dropped_;                            // leaves with an undecided interface
+  using PartKey = std::tuple<LineKey, double>;   // a part, by its lower end
+  [[nodiscard]] static PartKey key_of(const Segment& part) {
+    return {{part.axis, part.u, part.v}, part.t0};
+  }
+  std::map<PartKey, std::uint32_t> tie_of_;
+  std::vector<EdgeTies> tie_;
+  std::vector<bool> dropped_;  // leaves with an undecided interface
   std::vector<LeafGraph> graph_;
   std::map<std::uint32_t, std::uint32_t> boundary_vertex_;
   CellComplex complex_;
@@ -78,9 +110,9 @@ const Leaf& Assembler::donor(const Interface& i) const {
   return a.candidates.size() <= b.candidates.size() ? a : b;
 }
 
-void Assembler::pair_cells(std::uint32_t root) {
-  std::vector<std::uint32_t> stack{root};
-  while (!stack.empty()) {
+void Assembler::pair_cells() {
+  std::vector<std::uint32_t> stack{0};
+  while (!stack.empty() && !stopped()) {
     const CellNode& node = subdivision_.node[stack.back()];
     stack.pop_back();
     if (node.axis < 0) continue;
@@ -95,11 +127,8 @@ void Assembler::pair_cells(std::uint32_t root) {
 void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect) {
   const CellNode &l = subdivision_.node[low], &h = subdivision_.node[high];
   if (l.axis < 0 && h.axis < 0) {
-    const auto usable = [&](std::uint32_t leaf) {
-      const auto t = subdivision_.leaf[leaf].theorem;
-      return t == LeafTheorem::kConical || t == LeafTheorem::kBoundary;
-    };
-    if (usable(l.leaf) && usable(h.leaf)) interface_.push_back({l.leaf, h.leaf, rect, nullptr});
+    if (is_accepted(subdivision_.leaf[l.leaf]) && is_accepted(subdivision_.leaf[h.leaf]))
+      interface_.push_back({l.leaf, h.leaf, rect, nullptr, {}});
     return;
   }
   const bool split_low = l.axis >= 0;
@@ -123,11 +152,46 @@ void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& re
 }
 
 void Assembler::solve_interfaces() {
-  for (Interface& i : interface_) {
+  for_each_in_parallel(engines_.threads(), interface_.size(), [this](int thread, std::size_t k) {
+    Interface& i = interface_[k];
+    if (!stopped()) solve_interface(i, thread);
+  });
+  for (const Interface& i : interface_)
+    if (!i.decided()) drop(i);
+}
+
+void Assembler::solve_interface(Interface& i, int thread) {
+  // Nearly every interface is a face of one of its leaves.
+  const Leaf &low = subdivision_.leaf[i.low], &high = subdivision_.leaf[i.high];
+  const auto side = static_cast<std::size_t>(2 * i.rect.axis);
+  if (low.face[side + 1]->rect == i.rect) {
+    i.diagram = low.face[side + 1];
+  } else if (high.face[side]->rect == i.rect) {
+    i.diagram = high.face[side];
+  } else {
     const Leaf& leaf = donor(i);
-    i.diagram = engines_.cache().face(solid_, i.rect, leaf.candidates, leaf.triangles);
-    if (i.diagram->status != FaceStatus::kDecided) drop(i);
+    i.diagram = LocalDiagrams(engines_.diagrams(thread), solid_, leaf.candidates, leaf.triangles)
+                    .face(i.rect);
   }
+  if (!i.decided()) return;
+  Locator locator = locator_of(thread);
+  for (const FaceNode& node : i.diagram->node)
+    i.placed.push_back(place(locator, i.rect, node, donor(i).candidates));
+}
+
+Placed Assembler::place(Locator& locator, const Rect& rect, const FaceNode& node,
+                        std::span<const SiteId> candidates) {
+  switch (node.kind) {
+    case FaceNode::Kind::kSide:
+      break;  // a tie on an edge, which other interfaces have too
+    case FaceNode::Kind::kEvent:
+      return locator.event(rect, node, candidates);
+    case FaceNode::Kind::kRim:
+      return locator.rim(rect, node, candidates);
+    case FaceNode::Kind::kConvexEdge:
+      return locator.convex_edge(rect, node);
+  }
+  return {};
 }
 
 void Assembler::drop(const Interface& interface) {
@@ -135,24 +199,61 @@ void Assembler::drop(const Interface& interface) {
 }
 
 void Assembler::cut_lines() {
-  // The minimal edges' ties; an edge that cannot be decided drops the leaves beside it, and what is
-  // dropped changes no other interface, so one pass is enough.
-  for (const Interface& i : interface_)
+  for (const Interface& i : interface_) {
+    if (stopped()) return;
     for (int s = 0; s < 4; ++s) {
       const Segment e = side_segment(i.rect, s);
       auto& points = line_[{e.axis, e.u, e.v}];
       points.push_back(e.t0);
       points.push_back(e.t1);
     }
+  }
   for (auto& [key, points] : line_) {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
   }
-  for (const Interface& i : interface_) {
-    if (i.diagram->status != FaceStatus::kDecided) continue;
-    for (int s = 0; s < 4; ++s)
-      if (!solve_ties(i, s)) drop(i);
+}
+
+template <class Visit>
+void Assembler::for_each_part(const Interface& interface, Visit visit) const {
+  for (int s = 0; s < 4; ++s) {
+    const Segment e = side_segment(interface.rect, s);
+    const auto& points = line_.at({e.axis, e.u, e.v});
+    for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it)
+      visit(s, Segment{e.axis, e.u, e.v, *it, *std::next(it)});
   }
+}
+
+void Assembler::solve_ties() {
+  for (const Interface& i : interface_)
+    if (i.decided())
+      for_each_part(i, [&](int, const Segment& part) {
+        const auto [slot, fresh] =
+            tie_of_.try_emplace(key_of(part), static_cast<std::uint32_t>(tie_.size()));
+        if (fresh) tie_.push_back({part, &i, false, {}, {}});
+      });
+  for_each_in_parallel(engines_.threads(), tie_.size(), [this](int thread, std::size_t k) {
+    if (!stopped()) solve_ties_on(tie_[k], thread);
+  });
+  // What is dropped changes no other interface, so one pass is enough.
+  for (const Interface& i : interface_)
+    if (i.decided())
+      for_each_part(i, [&](int, const Segment& part) {
+        if (!tie_[tie_of_.at(key_of(part))].decided) drop(i);
+      });
+}
+
+void Assembler::solve_ties_on(EdgeTies& ties, int thread) {
+  const Leaf& leaf = donor(*ties.asker);
+  LocalDiagrams diagrams(engines_.diagrams(thread), solid_, leaf.candidates, leaf.triangles);
+  diagrams.adopt(ties.asker->diagram);
+  const SegmentAnswer a = diagrams.segment(ties.part);
+  ties.decided = a.status == FaceStatus::kDecided;
+  if (!ties.decided) return;
+  Locator locator = locator_of(thread);
+  for (const Breakpoint& b : a.diagram->breakpoint)
+    if (b.kind == Breakpoint::Kind::kTie)
+      ties.placed.push_back(locator.tie(ties.part, b, leaf.candidates));
 }
 
 std::uint32_t Assembler::add_vertex(const Placed& placed, ComplexVertex::Kind kind) {
@@ -166,47 +267,17 @@ std::uint32_t Assembler::add_vertex(const Placed& placed, ComplexVertex::Kind ki
   return static_cast<std::uint32_t>(complex_.vertex.size() - 1);
 }
 
-bool Assembler::solve_ties(const Interface& interface, int side) {
-  const Segment e = side_segment(interface.rect, side);
-  const LineKey key{e.axis, e.u, e.v};
-  const auto& points = line_.at(key);
-  for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it) {
-    const auto [slot, fresh] = tie_.try_emplace({key, *it});
-    if (fresh) {
-      const Leaf& leaf = donor(interface);
-      const Segment part{e.axis, e.u, e.v, *it, *std::next(it)};
-      const SegmentAnswer a = engines_.cache().segment(part, leaf.candidates, leaf.triangles);
-      slot->second.decided = a.status == FaceStatus::kDecided;
-      if (slot->second.decided)
-        for (const Breakpoint& b : a.diagram->breakpoint)
-          if (b.kind == Breakpoint::Kind::kTie)
-            slot->second.vertex.push_back(
-                add_vertex(locator_.tie(part, b, leaf.candidates), ComplexVertex::Kind::kArcPoint));
-    }
-    if (!slot->second.decided) return false;
-  }
-  return true;
-}
-
-std::vector<std::uint32_t> Assembler::ties_of(const Interface& interface, int side) const {
-  const Segment e = side_segment(interface.rect, side);
-  const LineKey key{e.axis, e.u, e.v};
-  const auto& points = line_.at(key);
-  std::vector<std::uint32_t> vertices;
-  for (auto it = std::lower_bound(points.begin(), points.end(), e.t0); *it != e.t1; ++it) {
-    const auto& v = tie_.at({key, *it}).vertex;
-    vertices.insert(vertices.end(), v.begin(), v.end());
-  }
-  return vertices;
-}
-
 void Assembler::add_interface(const Interface& interface) {
   const FaceDiagram& d = *interface.diagram;
-  const Leaf& leaf = donor(interface);
+  std::array<std::vector<std::uint32_t>, 4> ties;
+  for_each_part(interface, [&](int s, const Segment& part) {
+    const auto& v = tie_[tie_of_.at(key_of(part))].vertex;
+    ties[s].insert(ties[s].end(), v.begin(), v.end());
+  });
   // Ties of a side, by breakpoint index of the side's own diagram.
   std::array<std::map<std::uint32_t, std::uint32_t>, 4> tie;
   for (int s = 0; s < 4; ++s) {
-    const auto vertices = ties_of(interface, s);
+    const auto& vertices = ties[s];
     std::size_t n = 0;
     for (std::uint32_t k = 0; k < d.side[s]->breakpoint.size(); ++k)
       if (d.side[s]->breakpoint[k].kind == Breakpoint::Kind::kTie) {
@@ -224,16 +295,13 @@ void Assembler::add_interface(const Interface& interface) {
         vertex[n] = tie[node.side].at(node.breakpoint);
         break;
       case FaceNode::Kind::kEvent:
-        vertex[n] =
-            add_vertex(locator_.event(d.rect, node, leaf.candidates), ComplexVertex::Kind::kEvent);
+        vertex[n] = add_vertex(interface.placed[n], ComplexVertex::Kind::kEvent);
         break;
       case FaceNode::Kind::kRim:
-        vertex[n] =
-            add_vertex(locator_.rim(d.rect, node, leaf.candidates), ComplexVertex::Kind::kRim);
+        vertex[n] = add_vertex(interface.placed[n], ComplexVertex::Kind::kRim);
         break;
       case FaceNode::Kind::kConvexEdge:
-        vertex[n] =
-            add_vertex(locator_.convex_edge(d.rect, node), ComplexVertex::Kind::kConvexEdge);
+        vertex[n] = add_vertex(interface.placed[n], ComplexVertex::Kind::kConvexEdge);
         low.crossing.emplace_back(node.boundary_edge, vertex[n]);
         high.crossing.emplace_back(node.boundary_edge, vertex[n]);
         break;
@@ -346,7 +414,7 @@ void Assembler::add_leaf(std::uint32_t index) {
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
       if (engines_.inside().locate(x) != InsideOracle::Where::kInside)
         x = nearest_base(component, x);
-      placed = locator_.anywhere(x, leaf.candidates);
+      placed = locator_of(0).anywhere(x, leaf.candidates);
     }
     ComplexCone cone;
     cone.leaf = index;
@@ -380,26 +448,41 @@ void Assembler::add_leaf(std::uint32_t index) {
   }
 }
 
-Assembly Assembler::run() {
-  const auto& leaves = subdivision_.leaf;
-  const auto accepted = [&](std::uint32_t l) {
-    return leaves[l].theorem == LeafTheorem::kConical ||
-           leaves[l].theorem == LeafTheorem::kBoundary;
-  };
-  graph_.resize(leaves.size());
-  dropped_.assign(leaves.size(), false);
-  pair_cells(0);
-  solve_interfaces();
-  cut_lines();
-  Assembly assembly;
-  for (std::uint32_t l = 0; l < leaves.size(); ++l) {
-    if (dropped_[l]) assembly.undecided.push_back(l);
-    partial_ |= dropped_[l] || leaves[l].theorem == LeafTheorem::kUndecided;
-  }
-  for (const Interface& i : interface_)
+void Assembler::add_interfaces() {
+  for (EdgeTies& ties : tie_)
+    for (const Placed& p : ties.placed)
+      ties.vertex.push_back(add_vertex(p, ComplexVertex::Kind::kArcPoint));
+  for (const Interface& i : interface_) {
+    if (stopped()) return;
     if (!dropped_[i.low] && !dropped_[i.high]) add_interface(i);
+  }
+}
+
+void Assembler::add_leaves() {
+  const auto& leaves = subdivision_.leaf;
   for (std::uint32_t l = 0; l < leaves.size(); ++l)
-    if (accepted(l) && !dropped_[l]) add_leaf(l);
+    partial_ |= dropped_[l] || leaves[l].theorem == LeafTheorem::kUndecided;
+  for (std::uint32_t l = 0; l < leaves.size(); ++l) {
+    if (stopped()) return;
+    if (is_accepted(leaves[l]) && !dropped_[l]) add_leaf(l);
+  }
+}
+
+Assembly Assembler::run() {
+  graph_.resize(subdivision_.leaf.size());
+  dropped_.assign(subdivision_.leaf.size(), false);
+  Assembly assembly;
+  for (const auto step :
+       {&Assembler::pair_cells, &Assembler::solve_interfaces, &Assembler::cut_lines,
+        &Assembler::solve_ties, &Assembler::add_interfaces, &Assembler::add_leaves}) {
+    (this->*step)();
+    if (stopped()) {
+      assembly.stopped = true;
+      return assembly;
+    }
+  }
+  for (std::uint32_t l = 0; l < dropped_.size(); ++l)
+    if (dropped_[l]) assembly.undecided.push_back(l);
   assembly.complex = std::move(complex_);
   return assembly;
 }

@@ -14,12 +14,13 @@ namespace blum {
 struct Assembly {
   CellComplex complex;
   std::vector<std::uint32_t> undecided;  ///< accepted leaves with an interface in bad position
+  bool stopped = false;                  ///< the run's watch has fired: there is no complex
 };
 
 /// Glues the cones of all accepted leaves along their minimal interfaces: every interface
 /// rectangle, interface edge and tie on it is one object that both sides refer to. Undecided
 /// leaves, and those that turn out to have an undecidable interface, are left out. Positions and
-/// radii are in model units.
+/// radii are in model units. The same for any number of threads.
 [[nodiscard]] Assembly assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
                                 EngineSet& engines);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "blum/kernel/solid.hpp"
@@ -14,6 +15,7 @@ namespace blum::detail {
 void put_ma(OutputStream& out, const MedialResult& result);
 void put_vtp(OutputStream& out, const MedialResult& result, const Solid& solid);
 void put_obj(OutputStream& out, const MedialResult& result);
+void put_undecided(OutputStream& out, std::span<const UndecidedCell> cells);
 
 /// The edges that are drawn as lines: seams, and edges with other than two triangles (rims, convex
 /// edges, the border of what is undecided).

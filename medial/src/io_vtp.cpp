@@ -1,57 +1,12 @@
-// VTK XML PolyData with inline uncompressed binary arrays: each is one base64 run of its length in
-// bytes (UInt64) and its values, in the byte order named in the header.
-
-#include <bit>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "io_formats.hpp"
+#include "io_vtk.hpp"
 
 namespace blum::detail {
 namespace {
-
-template <class T>
-constexpr std::string_view vtk_type() {
-  if constexpr (std::same_as<T, double>) return "Float64";
-  if constexpr (std::same_as<T, std::int64_t>) return "Int64";
-  if constexpr (std::same_as<T, std::uint64_t>) return "UInt64";
-  if constexpr (std::same_as<T, std::int32_t>) return "Int32";
-  if constexpr (std::same_as<T, std::uint8_t>) return "UInt8";
-}
-
-/// One DataArray. Arrays of FieldData have to name their number of tuples, others may not need it.
-template <class T>
-class DataArray {
- public:
-  DataArray(OutputStream& out, std::string_view name, std::size_t tuples, int components = 1)
-      : out_(out), base64_(out) {
-    out_ << "<DataArray type=\"" << vtk_type<T>() << "\" Name=\"" << name
-         << "\" NumberOfComponents=\"" << components << "\" NumberOfTuples=\"" << tuples
-         << "\" format=\"binary\">\n";
-    base64_.put(static_cast<std::uint64_t>(sizeof(T) * tuples * static_cast<unsigned>(components)));
-  }
-  DataArray(const DataArray&) = delete;
-  DataArray& operator=(const DataArray&) = delete;
-  ~DataArray() {
-    base64_.end();
-    out_ << "\n</DataArray>\n";
-  }
-  template <class Value>
-  void put(Value value) {
-    base64_.put(static_cast<T>(value));
-  }
-  void put(const Point3& p) {
-    put(p.x);
-    put(p.y);
-    put(p.z);
-  }
-
- private:
-  OutputStream& out_;
-  Base64 base64_;
-};
 
 class VtpWriter {
  public:
@@ -59,9 +14,7 @@ class VtpWriter {
       : out_(out), result_(result), k_(result.complex), solid_(solid), line_(drawn_edges(result)) {}
 
   void write() {
-    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
-         << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
-         << "\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
+    out_ << vtp_head() << "<FieldData>\n";
     field_data();
     out_ << "</FieldData>\n<Piece NumberOfPoints=\"" << k_.vertex.size()
          << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << line_.size()
@@ -76,7 +29,7 @@ class VtpWriter {
     lines();
     out_ << "</Lines>\n<Polys>\n";
     polys();
-    out_ << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    out_ << "</Polys>\n</Piece>\n" << kVtpTail;
   }
 
  private:
@@ -201,7 +154,7 @@ class VtpWriter {
         for (const std::uint32_t v : k_.edge[e].vertex) array.put(v);
       }
     }
-    offsets(line_.size(), 2);
+    put_offsets(out_, line_.size(), 2);
   }
 
   void polys() {
@@ -211,12 +164,7 @@ class VtpWriter {
         for (const std::uint32_t v : corners(k_, t)) array.put(v);
       }
     }
-    offsets(k_.triangle.size(), 3);
-  }
-
-  void offsets(std::size_t cells, std::size_t corners_each) {
-    DataArray<Int> array(out_, "offsets", cells);
-    for (std::size_t i = 1; i <= cells; ++i) array.put(i * corners_each);
+    put_offsets(out_, k_.triangle.size(), 3);
   }
 
   OutputStream& out_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -24,6 +25,7 @@ Json undecided_cells(const std::vector<UndecidedCell>& cells) {
   Json list = Json::array();
   for (std::size_t i = 0; i < std::min(cells.size(), kMostUndecidedListed); ++i) {
     list.push_back({{"reason", undecided_reason_name(cells[i].reason)},
+                    {"depth", cells[i].depth},
                     {"lo", coordinates(cells[i].box.lo)},
                     {"hi", coordinates(cells[i].box.hi)}});
   }
@@ -39,6 +41,13 @@ Json to_json(const FlattenReport& report) {
           {"flat_edges_after", report.after.flat},
           {"nearly_flat_edges_before", report.before.nearly_flat},
           {"nearly_flat_edges_left", report.after.nearly_flat}};
+}
+
+/// Reasons that occur, in their order, with the number of cells.
+std::map<UndecidedReason, std::size_t> by_reason(const std::vector<UndecidedCell>& cells) {
+  std::map<UndecidedReason, std::size_t> count;
+  for (const UndecidedCell& cell : cells) ++count[cell.reason];
+  return count;
 }
 
 /// printf with its own memory: 40 formats read better here than as streams.
@@ -103,7 +112,12 @@ std::string summary_json(const SummaryInput& input) {
       {"version", input.version},
   };
   if (input.flattened != nullptr) json["coplanar"] = to_json(*input.flattened);
-  if (!r.undecided.empty()) json["undecided"] = undecided_cells(r.undecided);
+  if (!r.undecided.empty()) {
+    for (const auto& [reason, count] : by_reason(r.undecided)) {
+      json["undecided_by_reason"][undecided_reason_name(reason)] = count;
+    }
+    json["undecided"] = undecided_cells(r.undecided);
+  }
   // File names need not be UTF-8: bytes that are not are replaced, never a reason to fail.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -122,7 +136,13 @@ std::string summary_text(const SummaryInput& input) {
     append(text, "result     certified, Betti numbers %ld %ld %ld\n", r.betti[0], r.betti[1],
            r.betti[2]);
   } else {
-    text += "result     NOT certified, " + counted(r.undecided.size(), "cell") + " undecided\n";
+    text += "result     NOT certified, " + counted(r.undecided.size(), "cell") + " undecided";
+    const char* separator = " (";
+    for (const auto& [reason, count] : by_reason(r.undecided)) {
+      text += separator + std::to_string(count) + ' ' + undecided_reason_name(reason);
+      separator = ", ";
+    }
+    text += r.undecided.empty() ? "\n" : ")\n";
   }
   text += "parts      " + counted(r.parts.sheets, "sheet") + ", " + counted(r.parts.seams, "seam") +
           ", " + counted(r.parts.junctions, "junction") + ", " +
@@ -139,14 +159,15 @@ std::string summary_text(const SummaryInput& input) {
            100 * static_cast<double>(r.stages.extended) / decisions,
            100 * static_cast<double>(r.stages.exact) / decisions);
   }
-  append(text, "time       %.3f s: read %.3f, sites %.3f, subdivide %.3f, assemble %.3f\n",
-         input.total_s, input.read_s, input.sites_s, r.time.subdivide_s, r.time.assemble_s);
+  append(text, "time       %.3f s: read %.3f, sites %.3f, subdivide %.3f, assemble %.3f; %s\n",
+         input.total_s, input.read_s, input.sites_s, r.time.subdivide_s, r.time.assemble_s,
+         counted(static_cast<std::size_t>(r.threads), "thread").c_str());
   append(text, "memory     %.1f MB at most\n", static_cast<double>(input.peak_memory_bytes) / 1e6);
 
   for (std::size_t i = 0; i < std::min(r.undecided.size(), kMostUndecidedInText); ++i) {
-    const auto& [box, reason] = r.undecided[i];
-    append(text, "undecided  (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g): %s\n", box.lo.x, box.lo.y,
-           box.lo.z, box.hi.x, box.hi.y, box.hi.z, undecided_reason_name(reason));
+    const auto& [box, reason, depth] = r.undecided[i];
+    append(text, "undecided  (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g): %s, depth %d\n", box.lo.x,
+           box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z, undecided_reason_name(reason), depth);
   }
   if (r.undecided.size() > kMostUndecidedInText) {
     text +=

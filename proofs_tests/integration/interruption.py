@@ -17,7 +17,9 @@ class Interruption(ToolTest):
                     time.sleep(0.7)
                     self.assertIsNone(process.poll(), "the model is too small for this test")
                     process.send_signal(number)
+                    start = time.monotonic()
                     _, errors = process.communicate(timeout=60)
+                self.assertLess(time.monotonic() - start, 2)  # 1, but on a busy machine
                 self.assertEqual(process.returncode, code, errors)
                 self.assertEqual(errors, b"blum: interrupted\n")
                 self.assertEqual(self.names(), before)

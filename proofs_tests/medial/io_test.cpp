@@ -231,6 +231,53 @@ TEST_F(IoTest, Vtp_OfAnEmptyResult_IsWellFormed) {
   EXPECT_EQ(values<std::int64_t>(arrays.at("governor_offset")), std::vector<std::int64_t>{0});
 }
 
+TEST_F(IoTest, Undecided_AreBoxesOfSixQuadrilateralsFacingOutwards) {
+  const std::vector<UndecidedCell> cells{{{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kTime, 7},
+                                         {{{4, 5, 6}, {8, 8, 8}}, UndecidedReason::kDepth, 96}};
+  ASSERT_FALSE(write_undecided(cells, directory_ / "x.undecided.vtp"));
+  const auto arrays = vtp_arrays(content(directory_ / "x.undecided.vtp"));
+  const auto reason = values<std::uint8_t>(arrays.at("reason"));
+  const auto depth = values<std::int32_t>(arrays.at("depth"));
+  const auto cell = values<std::int64_t>(arrays.at("cell"));
+  const auto point = values<double>(arrays.at("Points"));
+  const auto corner = values<std::int64_t>(arrays.at("<Polys>connectivity"));
+  ASSERT_EQ(point.size(), 2u * 8 * 3);
+  ASSERT_EQ(corner.size(), 2u * 6 * 4);
+  EXPECT_EQ(values<std::int64_t>(arrays.at("<Polys>offsets")).back(), 48);
+  for (std::size_t q = 0; q < 12; ++q) {
+    EXPECT_EQ(reason.at(q), static_cast<std::uint8_t>(cells[q / 6].reason));
+    EXPECT_EQ(depth.at(q), cells[q / 6].depth);
+    EXPECT_EQ(cell.at(q), static_cast<std::int64_t>(q / 6));
+  }
+  // The volume by the divergence theorem: sum of corner . (area vector) / 3.
+  for (std::size_t c = 0; c < 2; ++c) {
+    double volume = 0;
+    for (std::size_t q = 6 * c; q < 6 * c + 6; ++q) {
+      const auto at = [&](std::size_t k) {
+        const auto p = static_cast<std::size_t>(corner[4 * q + k]);
+        return Point3{point[3 * p], point[3 * p + 1], point[3 * p + 2]};
+      };
+      const Point3 a = at(0), b = at(1), d = at(3);
+      const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{d.x - a.x, d.y - a.y, d.z - a.z};
+      volume += (a.x * (u.y * v.z - u.z * v.y) + a.y * (u.z * v.x - u.x * v.z) +
+                 a.z * (u.x * v.y - u.y * v.x)) /
+                3;
+    }
+    EXPECT_DOUBLE_EQ(volume, c == 0 ? 6 : 24);
+  }
+}
+
+TEST_F(IoTest, WriteMedial_UndecidedFileIsThereIfAndOnlyIfNotCertified) {
+  MedialResult r = seam_result();
+  r.certified = false;
+  ASSERT_FALSE(write_medial(r, tetrahedron(), directory_ / "x"));
+  EXPECT_EQ(files(), (std::vector<std::string>{"x.ma", "x.obj", "x.undecided.vtp", "x.vtp"}));
+  r.certified = true;
+  r.undecided.clear();
+  ASSERT_FALSE(write_medial(r, tetrahedron(), directory_ / "x"));
+  EXPECT_EQ(files(), (std::vector<std::string>{"x.ma", "x.obj", "x.vtp"}));
+}
+
 TEST_F(IoTest, WriteMedial_AppendsSuffixesAndLeavesNothingElse) {
   ASSERT_FALSE(write_medial(seam_result(), tetrahedron(), directory_ / "part.v2"));
   EXPECT_EQ(files(), (std::vector<std::string>{"part.v2.ma", "part.v2.obj", "part.v2.vtp"}));

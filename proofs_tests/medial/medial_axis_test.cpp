@@ -6,12 +6,15 @@
 
 #include <filesystem>
 
+#include "medial/axis_tools.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
 namespace {
 
+using test::difference;
 using test::Scene;
+using test::true_distance_hint;
 
 MedialOptions seeded(std::uint64_t seed, double max_leaf_diameter = 0) {
   MedialOptions o;
@@ -34,35 +37,6 @@ void expect_certified(const MedialResult& r) {
   EXPECT_TRUE(r.certified);
   EXPECT_TRUE(r.undecided.empty());
   EXPECT_EQ(r.betti, r.solid_betti);
-}
-
-/// What is not the same in two complexes; empty: they are equal bit by bit.
-std::string difference(const CellComplex& a, const CellComplex& b) {
-  if (a.vertex.size() != b.vertex.size() || a.edge.size() != b.edge.size() ||
-      a.triangle.size() != b.triangle.size() || a.cone.size() != b.cone.size())
-    return "numbers of cells";
-  for (std::size_t k = 0; k < a.vertex.size(); ++k) {
-    const ComplexVertex &v = a.vertex[k], &w = b.vertex[k];
-    const auto at = "of vertex " + std::to_string(k);
-    if (!(v.position == w.position)) return "position " + at;
-    if (v.radius != w.radius) return "radius " + at;
-    if (v.on_axis != w.on_axis) return "on_axis " + at;
-    if (v.kind != w.kind) return "kind " + at;
-    if (v.governors != w.governors) return "governors " + at;
-  }
-  for (std::size_t k = 0; k < a.edge.size(); ++k)
-    if (a.edge[k].vertex != b.edge[k].vertex || a.edge[k].kind != b.edge[k].kind ||
-        a.edge[k].leaf != b.edge[k].leaf || a.edge[k].governors != b.edge[k].governors)
-      return "edge " + std::to_string(k);
-  for (std::size_t k = 0; k < a.triangle.size(); ++k)
-    if (a.triangle[k].edge != b.triangle[k].edge || a.triangle[k].cone != b.triangle[k].cone ||
-        a.triangle[k].governors != b.triangle[k].governors)
-      return "triangle " + std::to_string(k);
-  for (std::size_t k = 0; k < a.cone.size(); ++k)
-    if (a.cone[k].leaf != b.cone[k].leaf || a.cone[k].apex != b.cone[k].apex ||
-        a.cone[k].boundary_vertex != b.cone[k].boundary_vertex)
-      return "cone " + std::to_string(k);
-  return "";
 }
 
 TEST(MedialAxis, AnySolid_IsCertifiedWithItsBettiNumbers) {
@@ -92,17 +66,6 @@ TEST(MedialAxis, LeafDiameterAskedFor_BoundsTheHausdorffDistance) {
     EXPECT_LE(r.hausdorff_bound, d * (1 + 1e-14));
     EXPECT_GT(r.hausdorff_bound, 0);
   }
-}
-
-/// True distances times factors >= 1, the same for the same point; now and then nothing is known.
-DistanceHint true_distance_hint(const Solid& solid, double spread) {
-  return [&solid, spread](const Point3& x) {
-    std::seed_seq seq{std::hash<double>{}(x.x), std::hash<double>{}(x.y), std::hash<double>{}(x.z)};
-    std::mt19937 random(seq);
-    const double u = std::uniform_real_distribution(0.0, 1.0)(random);
-    if (spread > 0 && u < 0.1) return std::numeric_limits<double>::infinity();
-    return test::boundary_distance(solid, solid.point, x) * (1 + 1e-14 + spread * u * u) + 1e-16;
-  };
 }
 
 TEST(DistanceHints, ValidBounds_ChangeNothing) {
@@ -135,13 +98,14 @@ TEST(DistanceHints, NothingKnown_ChangesNothing) {
 
 TEST(MedialAxis, BudgetSpent_IsNotCertifiedAndSaysWhere) {
   const PolygonMesh mesh = shapes::torus(8, 4, 2, 0.75);
-  MedialOptions depth = seeded(1, 0.5), cells = depth, time = depth;
+  MedialOptions depth = seeded(1, 0.5), cells = depth, time = depth, memory = depth;
   depth.max_depth = 3;
   cells.max_cells = 10;
   time.time_limit_s = 1e-12;
+  memory.max_memory_bytes = 1;
   for (const auto& [o, reason] :
        {std::pair{depth, UndecidedReason::kDepth}, std::pair{cells, UndecidedReason::kCells},
-        std::pair{time, UndecidedReason::kTime}}) {
+        std::pair{time, UndecidedReason::kTime}, std::pair{memory, UndecidedReason::kMemory}}) {
     const MedialResult r = axis(mesh, o);
     EXPECT_FALSE(r.certified);
     ASSERT_FALSE(r.undecided.empty());
@@ -162,11 +126,12 @@ TEST(MedialAxis, ProgressRefused_IsInterrupted) {
 
 TEST(MedialAxis, ArgumentsOutOfRange_AreRefused) {
   const Solid solid = test::solid_of(shapes::cuboid(1, 1, 2));
-  std::vector<MedialOptions> bad(4);
+  std::vector<MedialOptions> bad(5);
   bad[0].max_depth = -1;
   bad[1].threads = 0;
   bad[2].time_limit_s = -1;
   bad[3].max_leaf_diameter = -1;
+  bad[4].time_limit_s = std::numeric_limits<double>::quiet_NaN();
   for (const MedialOptions& o : bad) {
     const auto r = compute_medial_axis(solid, o);
     ASSERT_FALSE(r.ok());

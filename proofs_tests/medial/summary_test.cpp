@@ -74,7 +74,7 @@ TEST(SummaryJson, CertifiedRun_HasExactlyTheSchema) {
 TEST(SummaryJson, UncertifiedRun_HasNoBettiNumbersAndSaysWhereAndWhy) {
   Sample sample;
   sample.result.certified = false;
-  sample.result.undecided.assign(1500, {{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kDepth});
+  sample.result.undecided.assign(1500, {{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kDepth, 96});
   sample.result.hausdorff_bound = std::numeric_limits<double>::infinity();
   const Json j = Json::parse(summary_json(sample.input()));
   EXPECT_EQ(j["result"]["certified"], false);
@@ -82,7 +82,9 @@ TEST(SummaryJson, UncertifiedRun_HasNoBettiNumbersAndSaysWhereAndWhy) {
   EXPECT_TRUE(j["result"]["hausdorff_bound"].is_null());
   EXPECT_EQ(j["solid"]["betti"], Json({1, 2, 0}));
   EXPECT_EQ(j["result"]["undecided_cells"], 1500);
+  EXPECT_EQ(j["undecided_by_reason"], (Json{{"depth", 1500}}));
   ASSERT_EQ(j["undecided"].size(), 1000u);
+  EXPECT_EQ(j["undecided"][0]["depth"], 96);
   EXPECT_EQ(j["undecided"][0]["reason"], undecided_reason_name(UndecidedReason::kDepth));
   EXPECT_EQ(j["undecided"][0]["hi"], Json({1.0, 2.0, 3.0}));
 }
@@ -101,9 +103,11 @@ TEST(SummaryText, SaysWhetherTheResultIsCertified) {
   EXPECT_NE(good.find("13 sheets, 12 seams, 4 junctions, 0 clusters"), std::string::npos) << good;
   EXPECT_EQ(good.back(), '\n');
   sample.result.certified = false;
-  sample.result.undecided.assign(7, {{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kDepth});
+  sample.result.undecided.assign(7, {{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kDepth, 96});
+  sample.result.undecided[6].reason = UndecidedReason::kTime;
   const std::string bad = summary_text(sample.input());
-  EXPECT_NE(bad.find("NOT certified, 7 cells undecided"), std::string::npos) << bad;
+  EXPECT_NE(bad.find("NOT certified, 7 cells undecided (6 depth, 1 time)"), std::string::npos)
+      << bad;
   EXPECT_NE(bad.find("(0, 0, 0) to (1, 2, 3)"), std::string::npos) << bad;
   EXPECT_NE(bad.find("and 2 more"), std::string::npos) << bad;
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "blum/subdivision/local_diagrams.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -14,7 +15,7 @@ using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 /// A solid with an engine; cells are given in model units.
 struct Bench {
   explicit Bench(const PolygonMesh& mesh)
-      : solid(test::solid_of(mesh)), geometry(solid), engines(geometry, Engine::kProduction, 1) {
+      : solid(test::solid_of(mesh)), geometry(solid), watch({}), engines(geometry, {}, watch) {
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) triangles.push_back(t);
   }
   Bench(const Bench&) = delete;
@@ -28,10 +29,11 @@ struct Bench {
 
   Faces faces(const Box3& box, std::vector<SiteId>& candidates) {
     candidates = engines.production().prune(geometry.candidates(), box.lo, box.hi);
+    LocalDiagrams diagrams(engines.diagrams(), solid, candidates, triangles);
     Faces face;
     for (int f = 0; f < 6; ++f) {
       const auto k = static_cast<std::size_t>(f);
-      face[k] = engines.cache().face(solid, box_face(box, f), candidates, triangles);
+      face[k] = diagrams.face(box_face(box, f));
       if (face[k]->status != FaceStatus::kDecided)
         throw std::runtime_error("face in bad position: " + face[k]->reason);
     }
@@ -72,6 +74,7 @@ struct Bench {
 
   const Solid solid;
   const SiteGeometry geometry;
+  RunWatch watch;
   EngineSet engines;
   std::vector<std::uint32_t> triangles;
   std::set<std::uint32_t> asked;  // vertices that the last test asked about

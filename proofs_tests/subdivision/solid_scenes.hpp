@@ -154,7 +154,8 @@ struct Subdivided {
   Subdivided(const PolygonMesh& mesh, const SubdivisionOptions& options)
       : solid(solid_of(mesh)),
         geometry(solid),
-        engines(geometry, options.engine, options.seed, options.resolve),
+        watch(options),
+        engines(geometry, options, watch),
         result(subdivide(geometry, options, engines)) {}
   Subdivided(const Subdivided&) = delete;
 
@@ -162,6 +163,7 @@ struct Subdivided {
 
   const Solid solid;
   const SiteGeometry geometry;
+  RunWatch watch;
   EngineSet engines;
   const Result<Subdivision> result;
 };

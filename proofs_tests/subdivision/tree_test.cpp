@@ -188,6 +188,23 @@ TEST(SubdivisionTree, SameSeed_GivesTheSameTree) {
     }
 }
 
+TEST(SubdivisionTree, AnyNumberOfThreads_GivesTheSameTree) {
+  for (const Scene& scene : test::scenes()) {
+    SCOPED_TRACE(scene.name);
+    SubdivisionOptions o = seeded(1, fine(scene.mesh));
+    const Subdivided one(scene.mesh, o);
+    o.threads = 4;
+    const Subdivided four(scene.mesh, o);
+    ASSERT_TRUE(one.result.ok() && four.result.ok());
+    EXPECT_TRUE(same_tree(one.tree(), four.tree()));
+    const SubdivisionStats &a = one.tree().stats, &b = four.tree().stats;
+    EXPECT_EQ(a.cells_tested, b.cells_tested);
+    EXPECT_EQ(a.planes_moved, b.planes_moved);
+    EXPECT_EQ(a.max_depth, b.max_depth);
+    EXPECT_EQ(a.rejected, b.rejected);
+  }
+}
+
 TEST(SubdivisionTree, OtherSeeds_GiveOtherPlanes) {
   for (const Scene& scene : test::scenes()) {
     SCOPED_TRACE(scene.name);
@@ -309,9 +326,9 @@ TEST(SubdivisionBudget, Progress_RisesToTheWholeBox) {
 TEST(SubdivisionBudget, ReasonNames_AreDistinct) {
   std::set<std::string> names;
   for (const auto r : {UndecidedReason::kDepth, UndecidedReason::kCells, UndecidedReason::kTime,
-                       UndecidedReason::kFaceUndecided})
+                       UndecidedReason::kFaceUndecided, UndecidedReason::kMemory})
     names.insert(undecided_reason_name(r));
-  EXPECT_EQ(names.size(), 4u);
+  EXPECT_EQ(names.size(), 5u);
   EXPECT_FALSE(names.contains("unknown"));
 }
 

@@ -1,37 +1,62 @@
 #include "blum/subdivision/engine_set.hpp"
 
+#include <atomic>
+
 #include "blum/arrangement/brute_engine.hpp"
 
 namespace blum {
 namespace {
 
-/// The oracle behind the engine interface.
+/// The oracle behind the engine interface. It can only be stopped between two diagrams.
 class BruteEngine final : public DiagramEngine {
  public:
-  explicit BruteEngine(const Solid& solid) : solid_(solid) {}
+  BruteEngine(const Solid& solid, const std::atomic<bool>& stop) : solid_(solid), stop_(stop) {}
   using DiagramEngine::face;
   SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
                         std::span<const std::uint32_t> triangles) override {
+    if (stop_) return {FaceStatus::kUndecided, kStopped, nullptr};
     auto d = brute_segment(solid_, segment, candidates, triangles);
     if (!d) return {FaceStatus::kBadPosition, "segment in bad position", nullptr};
     return {FaceStatus::kDecided, "", std::make_shared<const SegmentDiagram>(std::move(*d))};
   }
   FaceDiagram face(const FaceProblem& problem,
                    const std::array<std::shared_ptr<const SegmentDiagram>, 4>&) override {
-    return brute_face(problem);
+    if (!stop_) return brute_face(problem);
+    FaceDiagram none;
+    none.status = FaceStatus::kUndecided;
+    none.reason = kStopped;
+    none.rect = problem.rect;
+    return none;
   }
 
  private:
+  static constexpr const char* kStopped = "stopped";
   const Solid& solid_;
+  const std::atomic<bool>& stop_;
 };
 
 }  // namespace
 
-EngineSet::EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed,
-                     bool part_clusters)
-    : inside_(geometry.solid()), production_(geometry, inside_, seed, part_clusters) {
-  if (engine == Engine::kBrute) chosen_ = std::make_unique<BruteEngine>(geometry.solid());
-  cache_ = std::make_unique<DiagramCache>(chosen_ ? *chosen_ : production_);
+EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options,
+                     RunWatch& watch)
+    : watch_(watch), inside_(geometry.solid()) {
+  for (int t = 0; t < options.threads; ++t) {
+    production_.emplace_back(geometry, inside_, options.seed, options.resolve);
+    production_.back().stop_on(&watch_.flag());
+    if (options.engine == Engine::kBrute)
+      chosen_.push_back(std::make_unique<BruteEngine>(geometry.solid(), watch_.flag()));
+  }
+}
+
+DiagramEngine& EngineSet::diagrams(int thread) {
+  if (chosen_.empty()) return production_[thread];
+  return *chosen_[thread];
+}
+
+StageCounts EngineSet::stages() {
+  StageCounts sum;
+  for (ProductionEngine& engine : production_) sum += engine.predicates().stages();
+  return sum;
 }
 
 }  // namespace blum

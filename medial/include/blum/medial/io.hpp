@@ -1,4 +1,5 @@
-/// Writing a medial axis to files: .ma (points, edges, faces), .vtp (VTK PolyData), .obj.
+/// Writing a medial axis to files: .ma (points, edges, faces), .vtp (VTK PolyData), .obj; and what
+/// of it is undecided, .undecided.vtp.
 ///
 /// Every writer goes through a temporary file in the same directory and a rename: under the final
 /// name there is the old file or the whole new one. Doubles are written so that they read back
@@ -24,8 +25,9 @@ struct TextFile {
 };
 
 /// Writes PREFIX.ma, PREFIX.vtp and PREFIX.obj (suffixes appended to `prefix`, dots in it kept),
-/// and the texts in `also`. All files are complete before the first gets its name. Error:
-/// kOutputNotWritten, with the file.
+/// and the texts in `also`. If the result is not certified, also PREFIX.undecided.vtp; if it is, a
+/// file of that name from an earlier run is removed. All files are complete before the first gets
+/// its name. Error: kOutputNotWritten, with the file.
 [[nodiscard]] std::optional<Error> write_medial(const MedialResult& result, const Solid& solid,
                                                 const std::filesystem::path& prefix,
                                                 std::span<const TextFile> also = {});
@@ -48,6 +50,11 @@ struct TextFile {
 ///              seed; undecided_box (lo, hi) and undecided_reason (UndecidedReason) per cell.
 [[nodiscard]] std::optional<Error> write_vtp(const MedialResult& result, const Solid& solid,
                                              const std::filesystem::path& file);
+
+/// VTK XML PolyData: the undecided cells as boxes, each of eight points and six quadrilaterals, in
+/// model units. CellData: reason (UndecidedReason), depth (bisections), cell (number of the box).
+[[nodiscard]] std::optional<Error> write_undecided(std::span<const UndecidedCell> cells,
+                                                   const std::filesystem::path& file);
 
 /// Wavefront OBJ: "v", "f" (triangles), "l" (seams and free edges), indices from 1.
 [[nodiscard]] std::optional<Error> write_obj(const MedialResult& result,

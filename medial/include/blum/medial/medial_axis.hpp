@@ -15,14 +15,12 @@
 
 namespace blum {
 
-/// threads: how many may be used; this version uses one, and the answer does not depend on it.
-struct MedialOptions : SubdivisionOptions {
-  int threads = 1;
-};
+using MedialOptions = SubdivisionOptions;
 
 struct UndecidedCell {
   Box3 box;  ///< model units
   UndecidedReason reason = UndecidedReason::kDepth;
+  int depth = 0;  ///< bisections from the box around the solid
 };
 
 struct PhaseTimes {
@@ -31,7 +29,7 @@ struct PhaseTimes {
 
 struct MedialResult {
   bool certified = false;
-  CellComplex complex;  ///< empty where not certified parts are left out; see undecided
+  CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
@@ -40,14 +38,17 @@ struct MedialResult {
   std::vector<UndecidedCell> undecided;
   /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter.
   double hausdorff_bound = 0;
-  StageCounts stages;
+  StageCounts stages;  ///< depends on the number of threads, the complex does not
   PhaseTimes time;
   std::uint64_t seed = 0;
   int threads = 1;  ///< used
 };
 
 /// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says
-/// certified == false and lists what is undecided.
+/// certified == false and lists what is undecided. The time limit
+/// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
+/// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
+/// and all cells that meet the axis are listed.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options);
 

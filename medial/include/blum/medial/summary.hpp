@@ -31,8 +31,9 @@ struct SummaryInput {
 ///   "undecided_cells","hausdorff_bound"}, "stages": {"filter","extended","exact"}, "time_s":
 ///   {"read","sites","subdivide","assemble","total"}, "peak_memory_bytes", "seed", "threads",
 ///   "version"}
-/// result.betti is null unless the result is certified. Only if cells are undecided there is one
-/// more key, "undecided": [{"reason", "lo", "hi"}], at most the first 1000 of them. Only if the
+/// result.betti is null unless the result is certified. Only if cells are undecided there are two
+/// more keys: "undecided_by_reason": {"depth": 3, ...}, with the reasons that occur, and
+/// "undecided": [{"reason", "depth", "lo", "hi"}], at most the first 1000 of them. Only if the
 /// solid was flattened there is "coplanar": {"tolerance","vertices_moved","largest_displacement",
 /// "slivers_dropped","flat_edges_before","flat_edges_after","nearly_flat_edges_before",
 /// "nearly_flat_edges_left"}; "solid" and all that follows are then about the changed solid.

@@ -1,32 +1,40 @@
-/// What one run computes diagrams with: the production engine (always, for pruning), the engine
-/// that was asked for, and the cache of diagrams.
+/// What one run computes with: an engine for every thread, and what ends the run.
 #pragma once
 
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "blum/arrangement/production_engine.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/site_geometry.hpp"
+#include "blum/subdivision/run_watch.hpp"
 #include "blum/subdivision/subdivision.hpp"
 
 namespace blum {
 
+/// Requires options.threads >= 1; the watch is made from the same options and outlives this.
+/// `thread` below: less than threads(); what it gives must be used by one thread at a time.
 class EngineSet {
  public:
-  EngineSet(const SiteGeometry& geometry, Engine engine, std::uint64_t seed,
-            bool part_clusters = false);
+  EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& options, RunWatch& watch);
 
-  [[nodiscard]] ProductionEngine& production() { return production_; }
+  [[nodiscard]] int threads() const { return static_cast<int>(production_.size()); }
+  /// Always there, for pruning.
+  [[nodiscard]] ProductionEngine& production(int thread = 0) { return production_[thread]; }
+  /// The engine that was asked for.
+  [[nodiscard]] DiagramEngine& diagrams(int thread = 0);
   [[nodiscard]] const InsideOracle& inside() const { return inside_; }
-  [[nodiscard]] DiagramCache& cache() { return *cache_; }
+  [[nodiscard]] RunWatch& watch() { return watch_; }
+
+  /// Decisions of all production engines. Depends on the number of threads: each engine remembers
+  /// what it has decided.
+  [[nodiscard]] StageCounts stages();
 
  private:
+  RunWatch& watch_;
   InsideOracle inside_;
-  ProductionEngine production_;
-  std::unique_ptr<DiagramEngine> chosen_;  // null: production
-  std::unique_ptr<DiagramCache> cache_;
+  std::vector<ProductionEngine> production_;
+  std::vector<std::unique_ptr<DiagramEngine>> chosen_;  // empty: production
 };
 
 }  // namespace blum

@@ -33,17 +33,24 @@ struct SubdivisionOptions {
   double max_leaf_diameter = 0;
   DistanceHint distance_hint;  ///< saves work; never changes the answer
   int max_depth = 96;          ///< bisections from the box to a leaf
+  /// Nodes of the tree of cells. Where it is reached with several threads, which cells are left
+  /// undecided depends on their timing; nothing else of a result does, but for the two limits
+  /// below.
   std::size_t max_cells = 20'000'000;
-  double time_limit_s = 0;  ///< 0: none
-  /// Called now and then; returning false interrupts the run.
+  double time_limit_s = 0;             ///< see compute_medial_axis; 0: none
+  std::uint64_t max_memory_bytes = 0;  ///< resident, of the process; 0: no limit
+  int threads = 1;                     ///< at least 1
+  /// Called now and then, from any thread but never by two at once; returning false interrupts the
+  /// run soon.
   std::function<bool(const Progress&)> on_progress;
 };
 
 enum class UndecidedReason : std::uint8_t {
   kDepth,          ///< max_depth reached
   kCells,          ///< max_cells reached
-  kTime,           ///< time limit reached
+  kTime,           ///< time_limit_s reached
   kFaceUndecided,  ///< no cutting plane in general position was found
+  kMemory,         ///< max_memory_bytes reached
 };
 [[nodiscard]] const char* undecided_reason_name(UndecidedReason reason);
 
@@ -74,46 +81,28 @@ struct Leaf {
   bool has_axis = false;                  ///< the graph on its surface is not empty
   std::vector<SiteId> candidates;         ///< superset of the governors in leaf ∩ O
   std::vector<std::uint32_t> triangles;   ///< superset of the boundary triangles that meet it
+  /// Diagrams of its faces (box_face), for kConical and kBoundary.
+  std::array<std::shared_ptr<const FaceDiagram>, 6> face;
 };
 
 struct SubdivisionStats {
-  StageCounts stages;
+  StageCounts stages;  ///< depends on the number of threads: each remembers what it has decided
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
   int max_depth = 0;
   std::array<std::size_t, 8> rejected{};  ///< tested cells by CellVerdict
 };
 
+/// Nodes and leaves are numbered depth first, the low child before the high one.
 struct Subdivision {
   std::vector<CellNode> node;  ///< node[0] is the root
   std::vector<Leaf> leaf;
   SubdivisionStats stats;
-  std::vector<std::shared_ptr<const FaceDiagram>> held;  ///< faces of leaves, kept in the cache
 };
 
-/// Diagrams by rectangle and segment, computed once and shared by all cells that ask.
-class DiagramCache {
- public:
-  explicit DiagramCache(DiagramEngine& engine);
-  ~DiagramCache();
-
-  [[nodiscard]] std::shared_ptr<const FaceDiagram> face(const Solid& solid, const Rect& rect,
-                                                        std::span<const SiteId> candidates,
-                                                        std::span<const std::uint32_t> triangles);
-  [[nodiscard]] SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
-                                      std::span<const std::uint32_t> triangles);
-  /// Forgets diagrams that nobody holds.
-  void sweep();
-  [[nodiscard]] std::size_t faces_computed() const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
-/// The engine a run uses, with its predicates' counts.
 class EngineSet;
 
-/// Error kInterrupted if on_progress returned false.
+/// The same for any number of threads, unless a budget is reached. `engines` must be made with the
+/// same geometry and options. Error kInterrupted if on_progress returned false.
 [[nodiscard]] Result<Subdivision> subdivide(const SiteGeometry& geometry,
                                             const SubdivisionOptions& options, EngineSet& engines);
 

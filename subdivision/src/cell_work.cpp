@@ -1,0 +1,298 @@
+#include "cell_work.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "blum/arrangement/common_point.hpp"
+#include "blum/kernel/closest_point.hpp"
+
+namespace blum {
+namespace {
+
+/// A cell with more candidates is split untested: its test would cost more than its children's.
+constexpr std::size_t kMaxCandidates = 96;
+constexpr int kPlaneAttempts = 8;
+constexpr std::size_t kIsolated = 16;
+/// Resolving stops at cells of this fraction of the box: what is left is a degenerate junction or
+/// one that cannot be told from it by sight.
+constexpr double kResolveFraction = 0x1p-20;
+
+double jitter(std::uint64_t seed, double lo, double hi, int axis, int attempt) {
+  std::uint64_t h = seed * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(axis);
+  for (const std::uint64_t x : {std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi),
+                                static_cast<std::uint64_t>(attempt)}) {
+    h ^= x;
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+    h ^= h >> 31;
+  }
+  return static_cast<double>(h >> 11) * 0x1p-53;
+}
+
+Leaf undecided(UndecidedReason reason) {
+  Leaf leaf;
+  leaf.reason = reason;
+  return leaf;
+}
+
+int longest_axis(const Box3& box) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  return axis;
+}
+
+}  // namespace
+
+Box3 root_box(const Solid& solid, std::uint64_t seed) {
+  Box3 b{solid.point.front(), solid.point.front()};
+  for (const Point3& p : solid.point)
+    for (int k = 0; k < 3; ++k) {
+      b.lo[k] = std::min(b.lo[k], p[k]);
+      b.hi[k] = std::max(b.hi[k], p[k]);
+    }
+  double size = 0;
+  for (int k = 0; k < 3; ++k) size = std::max(size, b.hi[k] - b.lo[k]);
+  const Box3 tight = b;
+  for (int k = 0; k < 3; ++k) {
+    // Random margins of 2 to 6 % put the box itself, and so all its planes, in general position.
+    b.lo[k] = tight.lo[k] - size * (0.02 + 0.04 * jitter(seed, tight.lo[k], size, k, -1));
+    b.hi[k] = tight.hi[k] + size * (0.02 + 0.04 * jitter(seed, tight.hi[k], size, k, -2));
+  }
+  return b;
+}
+
+std::vector<std::uint32_t> CellWorker::meeting(std::span<const std::uint32_t> triangles,
+                                               const Box3& box) const {
+  std::vector<std::uint32_t> kept;
+  for (const auto t : triangles) {
+    const auto& v = solid_.triangle[t].vertex;
+    bool apart = false;
+    for (int k = 0; k < 3 && !apart; ++k) {
+      const double a = solid_.point[v[0]][k], b = solid_.point[v[1]][k], c = solid_.point[v[2]][k];
+      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
+    }
+    if (apart) continue;
+    // Outside the triangle's plane, or of its prism on one side.
+    const SiteId face = geometry_.index().face(t);
+    const auto beyond = [&](const BallVector& w, const Point3& base, bool both) {
+      Point3 c;
+      double reach = 0;
+      for (int k = 0; k < 3; ++k) {
+        c[k] = 0.5 * (box.lo[k] + box.hi[k]);
+        reach += w[k].magnitude() * std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
+      }
+      reach *= 1 + 0x1p-40;
+      const Ball h = dot(w, difference(c, base));
+      return h.low() > reach || (both && h.high() < -reach);
+    };
+    apart = beyond(geometry_.unit(face), geometry_.base(face), true);
+    const auto domain = geometry_.domain(face);
+    for (int k = 0; k < 3 && !apart; ++k)
+      apart = beyond(domain[k].w, solid_.point[domain[k].base], false);
+    if (apart) continue;
+    kept.push_back(t);
+  }
+  return kept;
+}
+
+CellOutcome CellWorker::work(Cell& cell) {
+  cell.triangles = meeting(cell.triangles, cell.box);
+  Leaf leaf;
+  if (cell.triangles.empty() &&
+      work_.engines.inside().locate(cell.box.lo) == InsideOracle::Where::kOutside) {
+    leaf.theorem = LeafTheorem::kOutside;
+    return leaf;
+  }
+  cell.candidates =
+      production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
+  const bool small = cell.candidates.size() <= kMaxCandidates;
+  if (small) {
+    LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, cell.triangles);
+    for (const auto& inherited : cell.face)
+      if (inherited) diagrams.adopt(inherited);
+    const CellVerdict verdict = test(cell, diagrams, leaf);
+    stats_.faces_computed += diagrams.faces_computed();
+    if (verdict == CellVerdict::kAccepted && (!leaf.has_axis || fine_enough(cell.box))) {
+      leaf.candidates = std::move(cell.candidates);
+      leaf.triangles = std::move(cell.triangles);
+      leaf.face = std::move(cell.face);
+      return leaf;
+    }
+  }
+  return divide(cell, small);
+}
+
+/// Fills in the faces of the cell, and what the answer says of the leaf.
+CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
+  const auto verdict = [&](CellVerdict v) {
+    ++stats_.rejected[static_cast<int>(v)];
+    return v;
+  };
+  ++stats_.cells_tested;
+  for (int f = 0; f < 6; ++f) {
+    auto face = diagrams.face(box_face(cell.box, f));
+    if (face->status != FaceStatus::kDecided) return verdict(CellVerdict::kFace);
+    cell.face[f] = std::move(face);
+  }
+  double diameter = 0;
+  for (int k = 0; k < 3; ++k) diameter = std::max(diameter, cell.box.hi[k] - cell.box.lo[k]);
+  const bool resolve = options_.resolve && diameter > kResolveFraction * work_.root_diameter;
+  const CellAnswer a = test_cell(
+      geometry_, cell.box, cell.candidates, cell.triangles, cell.face,
+      [this](std::uint32_t v) { return connected_at(v); }, resolve);
+  leaf.theorem = a.conical ? LeafTheorem::kConical : LeafTheorem::kBoundary;
+  leaf.boundary_vertex = a.vertex;
+  leaf.has_axis = a.has_axis;
+  // A cluster that is one degenerate junction cannot be refined away.
+  if (a.verdict == CellVerdict::kCluster && one_junction(cell, cell.face))
+    return verdict(CellVerdict::kAccepted);
+  return verdict(a.verdict);
+}
+
+bool CellWorker::fine_enough(const Box3& box) const {
+  if (options_.max_leaf_diameter <= 0) return true;
+  const Box3 model{solid_.frame.to_model(box.lo), solid_.frame.to_model(box.hi)};
+  return std::hypot(model.hi.x - model.lo.x, model.hi.y - model.lo.y, model.hi.z - model.lo.z) <=
+         options_.max_leaf_diameter;
+}
+
+CellOutcome CellWorker::divide(Cell& cell, bool tested) {
+  if (cell.depth >= options_.max_depth) return undecided(UndecidedReason::kDepth);
+  if (work_.nodes.fetch_add(2) + 2 > options_.max_cells) {
+    work_.nodes -= 2;
+    return undecided(UndecidedReason::kCells);
+  }
+  if (auto halves = split(cell, tested)) return *std::move(halves);
+  // No plane here could be decided: smaller cells keep the trouble to where it is, until little
+  // else is left in them.
+  if (cell.candidates.size() > kIsolated)
+    if (auto halves = split(cell, false)) return *std::move(halves);
+  work_.nodes -= 2;
+  return undecided(UndecidedReason::kFaceUndecided);
+}
+
+std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
+  const int axis = longest_axis(cell.box);
+  const double lo = cell.box.lo[axis], hi = cell.box.hi[axis];
+  for (int attempt = 0; attempt < kPlaneAttempts; ++attempt) {
+    const double m = lo + (hi - lo) * (0.42 + 0.16 * jitter(options_.seed, lo, hi, axis, attempt));
+    if (!(m > lo && m < hi)) return std::nullopt;
+    std::shared_ptr<const FaceDiagram> section;
+    if (validate) {
+      Rect r = box_face(cell.box, 2 * axis);
+      r.level = m;
+      LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, cell.triangles);
+      section = diagrams.face(r);
+      stats_.faces_computed += diagrams.faces_computed();
+      if (section->status != FaceStatus::kDecided) {
+        ++stats_.planes_moved;
+        continue;
+      }
+    }
+    Split s;
+    s.axis = axis;
+    s.cut = m;
+    for (Cell* half : {&s.low, &s.high}) {
+      half->box = cell.box;
+      half->depth = cell.depth + 1;
+    }
+    const auto low_face = static_cast<std::size_t>(2 * axis), high_face = low_face + 1;
+    s.low.box.hi[axis] = s.high.box.lo[axis] = m;
+    s.low.face[low_face] = cell.face[low_face];
+    s.low.face[high_face] = s.high.face[low_face] = section;
+    s.high.face[high_face] = cell.face[high_face];
+    s.high.candidates = cell.candidates;
+    s.high.triangles = cell.triangles;
+    s.low.candidates = std::move(cell.candidates);
+    s.low.triangles = std::move(cell.triangles);
+    return s;
+  }
+  return std::nullopt;
+}
+
+bool CellWorker::one_junction(const Cell& cell, const Faces& face) {
+  std::vector<SiteId> labels;
+  for (const auto& d : face)
+    for (const FaceRegion& r : d->region)
+      labels.insert(labels.end(), r.labels.begin(), r.labels.end());
+  for (const auto t : cell.triangles) labels.push_back(geometry_.index().face(t));
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  const Box3& box = cell.box;
+  const auto groups = production_.tie_groups(labels, box.lo, box.hi);
+  if (groups.size() < 4) return false;
+  const CommonPoint c = common_point(geometry_, groups, box.lo, box.hi);
+  // Four feet that span space: an ordinary junction, and the cell holds something beside it.
+  return c.gap <= kCommonTolerance && (groups.size() > 4 || !feet_span(geometry_, groups, c.point));
+}
+
+bool CellWorker::connected_at(std::uint32_t vertex) {
+  {
+    const std::lock_guard lock(work_.connected_mutex);
+    if (const auto known = work_.connected.find(vertex); known != work_.connected.end())
+      return known->second;
+  }
+  // Two threads may do the same here, with the same answer.
+  const bool connected = connected_at_computed(vertex);
+  const std::lock_guard lock(work_.connected_mutex);
+  work_.connected[vertex] = connected;
+  return connected;
+}
+
+bool CellWorker::connected_at_computed(std::uint32_t vertex) {
+  // A cell about the vertex, so small that Theorem B holds in it (which is checked below: all
+  // candidates and triangles that meet it are incident to the vertex): there the axis is a cone.
+  const Point3& p = solid_.point[vertex];
+  double reach = work_.root_diameter;
+  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+    const auto& tv = solid_.triangle[t].vertex;
+    const auto at = std::find(tv.begin(), tv.end(), vertex);
+    if (at == tv.end()) {
+      reach = std::min(reach, distance_estimate(geometry_, geometry_.index().face(t), p));
+      continue;
+    }
+    const auto opposite =
+        solid_.triangle[t].edge[(static_cast<std::size_t>(at - tv.begin()) + 1) % 3];
+    reach = std::min(reach, distance_estimate(geometry_, geometry_.index().edge(opposite), p));
+  }
+  const auto incident = [&](SiteId s) {
+    int count = 0;
+    const auto corner = geometry_.corners(s, count);
+    return std::find(corner.begin(), corner.begin() + count, vertex) != corner.begin() + count;
+  };
+  const auto at_vertex = solid_.triangles_at(vertex);
+  std::vector<std::uint32_t> all(solid_.triangle.size());
+  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+  for (int attempt = 0; attempt < kPlaneAttempts; ++attempt, reach *= 0.25) {
+    Box3 box;
+    for (int k = 0; k < 3; ++k) {
+      box.lo[k] =
+          p[k] - reach * (0.25 + 0.25 * jitter(options_.seed, p[k], reach, k, 100 + attempt));
+      box.hi[k] =
+          p[k] + reach * (0.25 + 0.25 * jitter(options_.seed, p[k], reach, k, 200 + attempt));
+      if (!(box.lo[k] < p[k] && p[k] < box.hi[k])) return false;  // beyond double resolution
+    }
+    const auto triangles = meeting(all, box);
+    if (!std::ranges::all_of(triangles, [&](std::uint32_t t) {
+          return std::find(at_vertex.begin(), at_vertex.end(), t) != at_vertex.end();
+        }))
+      continue;
+    const auto star = production_.prune(geometry_.candidates(), box.lo, box.hi);
+    if (!std::ranges::all_of(star, incident)) continue;
+    LocalDiagrams diagrams(diagrams_, solid_, star, triangles);
+    Faces face;
+    bool decided = true;
+    for (int f = 0; f < 6 && decided; ++f) {
+      face[f] = diagrams.face(box_face(box, f));
+      decided = face[f]->status == FaceStatus::kDecided;
+    }
+    stats_.faces_computed += diagrams.faces_computed();
+    if (!decided) continue;
+    return graph_components(face) <= 1;
+  }
+  return false;
+}
+
+}  // namespace blum

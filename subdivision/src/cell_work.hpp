@@ -1,0 +1,96 @@
+/// The work on one cell. What becomes of a cell is a function of the cell alone, so that it does
+/// not matter which thread works on it, nor when.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "blum/kernel/site_geometry.hpp"
+#include "blum/subdivision/cell_test.hpp"
+#include "blum/subdivision/engine_set.hpp"
+#include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/subdivision.hpp"
+
+namespace blum {
+
+struct Cell {
+  std::uint32_t node = 0;
+  Box3 box;
+  int depth = 0;
+  std::vector<SiteId> candidates;
+  std::vector<std::uint32_t> triangles;
+  /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
+  /// and of the parent's own face opposite. Others are null.
+  std::array<std::shared_ptr<const FaceDiagram>, 6> face;
+};
+
+struct Split {
+  int axis = 0;
+  double cut = 0;
+  Cell low, high;  ///< their `node` is not set
+};
+
+using CellOutcome = std::variant<Leaf, Split>;
+
+/// What the workers of one run have in common.
+struct CellWork {
+  const SiteGeometry& geometry;
+  const SubdivisionOptions& options;
+  EngineSet& engines;
+  double root_diameter = 1;
+
+  std::atomic<std::size_t> nodes{1};  ///< of the tree, those of splits in work included
+
+  std::mutex connected_mutex{};
+  std::unordered_map<std::uint32_t, bool> connected{};  ///< boundary vertex -> connected_at
+};
+
+/// One a thread.
+class CellWorker {
+ public:
+  CellWorker(CellWork& work, int thread)
+      : work_(work),
+        geometry_(work.geometry),
+        solid_(work.geometry.solid()),
+        options_(work.options),
+        production_(work.engines.production(thread)),
+        diagrams_(work.engines.diagrams(thread)) {}
+
+  /// Takes the lists and the diagrams out of the cell. Worthless if the run was stopped meanwhile.
+  [[nodiscard]] CellOutcome work(Cell& cell);
+
+  [[nodiscard]] const SubdivisionStats& stats() const { return stats_; }
+
+ private:
+  using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
+
+  [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> triangles,
+                                                   const Box3& box) const;
+  [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
+  [[nodiscard]] bool fine_enough(const Box3& box) const;
+  [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
+  [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);
+  [[nodiscard]] bool connected_at(std::uint32_t vertex);
+  [[nodiscard]] bool connected_at_computed(std::uint32_t vertex);
+  [[nodiscard]] bool one_junction(const Cell& cell, const Faces& face);
+
+  CellWork& work_;
+  const SiteGeometry& geometry_;
+  const Solid& solid_;
+  const SubdivisionOptions& options_;
+  ProductionEngine& production_;
+  DiagramEngine& diagrams_;
+  SubdivisionStats stats_;
+};
+
+/// The box around the solid with which the subdivision begins.
+[[nodiscard]] Box3 root_box(const Solid& solid, std::uint64_t seed);
+
+}  // namespace blum
