@@ -32,10 +32,14 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
   const auto is_at = [&](double t) {
     return fiber.vanishes(*s.factor({0, 0, 0, 0, 1, -Rational(t)}), point);
   };
-  // About 0 there are too many doubles to try; elsewhere the bounds are a few ulps apart.
-  if (lo <= 0 && hi >= 0) return is_at(0) ? std::pair{0.0, 0.0} : std::pair{lo, hi};
-  for (double t = lo; t <= hi; t = std::nextafter(t, std::numeric_limits<double>::infinity()))
+  // As a rule the bounds are a few ulps apart; about 0 there are too many doubles to try.
+  constexpr int kMostTried = 16;
+  if (lo <= 0 && hi >= 0 && is_at(0)) return {0.0, 0.0};
+  double t = lo;
+  for (int k = 0; t <= hi && k < kMostTried; ++k) {
     if (is_at(t)) return {t, t};
+    t = std::nextafter(t, std::numeric_limits<double>::infinity());
+  }
   return {lo, hi};
 }
 

@@ -10,12 +10,10 @@ namespace blum {
 namespace {
 
 constexpr int kMaxDepth = 90;
-/// A part this many bisections deep is asked of exact algebra, once: an event in general position
-/// has passed long before.
-constexpr int kExactDepth = 32;
+/// A part that lost no candidate in so many bisections is asked of exact algebra, once: an event in
+/// general position has passed long before.
+constexpr int kStuck = 44;
 constexpr std::uint32_t kMaxExactParts = 64;
-constexpr std::uint32_t kManyBoxes = 400;
-constexpr std::size_t kFewCandidates = 4;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
 /// the plane so near that moving the plane is better.
@@ -606,10 +604,8 @@ Trouble FaceEngine::refine(Box box) {
   prune(context_.geometry, box.candidates, range_of(box), forms);
   Border border = border_of(box);
   if (accept(box, forms, border)) return {};
-  // Long thin regions take many boxes: then larger parts are asked of exact algebra, too.
-  const bool many = boxes_ > kManyBoxes && forms.size() <= kFewCandidates && !box.asked;
-  if (many || box.depth == kExactDepth) {
-    box.asked = true;
+  box.stuck = forms.size() < box.candidates.size() ? 0 : box.stuck + 1;
+  if (box.stuck == kStuck) {
     if (++exact_parts_ > kMaxExactParts) return {FaceStatus::kUndecided, "face: exact parts spent"};
     if (accept_exact(box, forms, border)) return {};
   }
@@ -621,7 +617,7 @@ Trouble FaceEngine::refine(Box box) {
   // A triangle stays with a part if its trace meets it: an end inside, or a crossing on its sides.
   for (Box* part : {&low, &high}) {
     part->candidates = box.candidates;
-    part->asked = box.asked;
+    part->stuck = box.stuck;
     for (const auto t : box.triangles) {
       const auto& ends = trace_.at(t);
       bool keep = in_box(trace_point_[ends[0]], *part) || in_box(trace_point_[ends[1]], *part);

@@ -45,7 +45,7 @@ class FaceEngine {
     std::vector<SiteId> candidates;
     std::vector<std::uint32_t> triangles;  // whose traces meet the box
     int depth = 0;
-    bool asked = false;  // of exact algebra, without an answer
+    int stuck = 0;  // bisections since a candidate was lost
   };
   /// One step along the border of a component of box ∩ O.
   struct Step {

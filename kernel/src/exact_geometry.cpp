@@ -228,7 +228,7 @@ int volume_sign(std::span<const Triangle> surface) {
   return exact.sign();
 }
 
-bool polar_cone_is_flat(const Point3& v, std::span<const Point3> tips) {
+std::vector<std::size_t> polar_cone_sides(const Point3& v, std::span<const Point3> tips) {
   // The open cone {x : x.e < 0 for all e} is kept as a convex spherical polygon: its sides in order
   // (indices of tips), corner k being the ray e[side k] x e[side k+1].
   const auto det = [&](std::size_t i, std::size_t j, std::size_t k) {
@@ -246,7 +246,7 @@ bool polar_cone_is_flat(const Point3& v, std::span<const Point3> tips) {
     }
     break;
   }
-  if (third == 0) return true;  // all in one plane, which they surround
+  if (third == 0) return {};  // all in one plane, which they surround
   std::vector<std::size_t> side = {0, second, third};
   if (det(0, second, third) > 0) std::swap(side[1], side[2]);
   std::vector<int> at;
@@ -265,14 +265,14 @@ bool polar_cone_is_flat(const Point3& v, std::span<const Point3> tips) {
       if (inside(k) && !inside(k + m - 1)) first = k;
     }
     if (!any_cut || (first != m && !any_positive)) continue;
-    if (first == m) return true;  // no corner is strictly inside: nothing is left
+    if (first == m) return {};  // no corner is strictly inside: nothing is left
     next.clear();
     next.push_back(side[first]);
     for (std::size_t k = first; inside(k); ++k) next.push_back(side[(k + 1) % m]);
     next.push_back(e);
     side.swap(next);
   }
-  return false;
+  return side;
 }
 
 }  // namespace blum::exact

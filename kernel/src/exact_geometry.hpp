@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "blum/kernel/point.hpp"
 
@@ -51,9 +52,11 @@ using Triangle = std::array<Point3, 3>;
 /// Sign of the volume enclosed by a closed triangle surface, positive for outward normals.
 [[nodiscard]] int volume_sign(std::span<const Triangle> surface);
 
-/// Are the directions from v to the points of `tips` in no open half-space? That is, has the polar
-/// cone {x : x.(t-v) <= 0 for all t} no interior. Requires: no tip equal to v; directions that are
-/// all in one plane surround v in it (as they do at a vertex of a closed embedded surface).
-[[nodiscard]] bool polar_cone_is_flat(const Point3& v, std::span<const Point3> tips);
+/// The open cone {x : x.(t-v) < 0 for all t in tips}, as the tips whose conditions bound it by
+/// faces with an interior, in order around it. Empty if the cone is: that is, if the tips as seen
+/// from v are in no open half-space. Requires: no tip equal to v; directions that are all in one
+/// plane surround v in it (as they do at a vertex of a closed embedded surface).
+[[nodiscard]] std::vector<std::size_t> polar_cone_sides(const Point3& v,
+                                                        std::span<const Point3> tips);
 
 }  // namespace blum::exact

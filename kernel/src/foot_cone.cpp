@@ -1,27 +1,55 @@
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "blum/kernel/predicates.hpp"
+#include "blum/kernel/union_find.hpp"
 #include "exact_geometry.hpp"
 
 namespace blum {
 
-Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
-  const Solid& s = geometry_->solid();
-  bool has_reflex = false;
+namespace {
+
+std::vector<Point3> tips_at(const Solid& s, std::uint32_t vertex) {
   std::vector<Point3> tip;
   for (const auto e : s.edges_at(vertex)) {
-    has_reflex |= s.edge[e].kind == EdgeKind::kReflex;
     const auto& ends = s.edge[e].vertex;
     tip.push_back(s.point[ends[0] == vertex ? ends[1] : ends[0]]);
   }
-  bool has_convex = false;
-  for (const auto e : s.edges_at(vertex)) has_convex |= s.edge[e].kind == EdgeKind::kConvex;
-  if (!has_reflex && has_convex) return FootCone::kNone;  // see "Candidates" in docs/proofs.md
-  if (!s.vertex_degenerate[vertex]) return FootCone::kWide;
+  return tip;
+}
+
+bool has_edge(const Solid& s, std::uint32_t vertex, EdgeKind kind) {
+  return std::ranges::any_of(s.edges_at(vertex), [&](auto e) { return s.edge[e].kind == kind; });
+}
+
+/// The edges that bound the polar cone of a vertex that is not degenerate.
+std::vector<std::uint32_t> bounding_edges(const Solid& s, std::uint32_t vertex) {
+  std::vector<std::uint32_t> edges;
+  for (const auto k : exact::polar_cone_sides(s.point[vertex], tips_at(s, vertex)))
+    edges.push_back(s.edges_at(vertex)[k]);
+  return edges;
+}
+
+}  // namespace
+
+Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
+  const Solid& s = geometry_->solid();
+  if (!has_edge(s, vertex, EdgeKind::kReflex) && has_edge(s, vertex, EdgeKind::kConvex))
+    return FootCone::kNone;  // see "Candidates" in docs/proofs.md
+  if (!s.vertex_degenerate[vertex]) {
+    // The cone lies inside the solid or outside. Beyond its faces feet lie on the edges that bound
+    // it, and no foot of a point inside lies on a convex edge.
+    return std::ranges::any_of(bounding_edges(s, vertex),
+                               [&](auto e) { return s.edge[e].kind == EdgeKind::kConvex; })
+               ? FootCone::kNone
+               : FootCone::kWide;
+  }
 
   // The cone has no interior. If it is not the origin alone, it has an extreme ray e x f (or is a
   // line, the same product) for two edge directions e, f.
   const Point3& v = s.point[vertex];
+  const std::vector<Point3> tip = tips_at(s, vertex);
   const std::size_t n = tip.size();
   std::vector<std::array<std::size_t, 2>> ray;
   for (std::size_t i = 0; i < n; ++i)
@@ -37,6 +65,28 @@ Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
     for (const auto k : r)
       if (exact::orient3d(v, tip[ray[0][0]], tip[ray[0][1]], tip[k]) != 0) return FootCone::kWide;
   return FootCone::kRay;
+}
+
+bool Predicates::axis_connected_at(std::uint32_t vertex) const {
+  if (foot_cone(vertex) != FootCone::kWide) return true;
+  const Solid& s = geometry_->solid();
+  if (s.vertex_degenerate[vertex]) return false;
+  // Convex edges part the triangles at the vertex into chains. Where feet merge in the vertex, the
+  // chains that bound its region share one region of the complement of the axis.
+  const auto triangles = s.triangles_at(vertex);
+  UnionFind chain;
+  chain.resize(static_cast<std::uint32_t>(triangles.size()));
+  const auto place = [&](std::uint32_t t) {
+    return static_cast<std::uint32_t>(std::ranges::find(triangles, t) - triangles.begin());
+  };
+  for (const auto e : s.edges_at(vertex))
+    if (s.edge[e].kind != EdgeKind::kConvex)
+      chain.unite(place(s.edge[e].triangle[0]), place(s.edge[e].triangle[1]));
+  const auto bounding = bounding_edges(s, vertex);
+  return std::ranges::all_of(bounding, [&](auto e) {
+    return chain.find(place(s.edge[e].triangle[0])) ==
+           chain.find(place(s.edge[bounding.front()].triangle[0]));
+  });
 }
 
 int Predicates::side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const {

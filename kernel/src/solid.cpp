@@ -146,7 +146,7 @@ void find_degenerate_vertices(Solid& solid) {
       const SolidEdge& edge = solid.edge[e];
       tips.push_back(solid.point[edge.vertex[0] == v ? edge.vertex[1] : edge.vertex[0]]);
     }
-    solid.vertex_degenerate[v] = exact::polar_cone_is_flat(solid.point[v], tips);
+    solid.vertex_degenerate[v] = exact::polar_cone_sides(solid.point[v], tips).empty();
   }
 }
 

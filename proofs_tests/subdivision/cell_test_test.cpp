@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "blum/kernel/predicates.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
+#include "subdivision/graph_components.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -61,9 +63,9 @@ struct Bench {
     const Point3& p = solid.point[vertex];
     const double s = std::ldexp(size, -solid.frame.exponent);
     std::vector<SiteId> candidates;
-    return graph_components(faces({{p.x - 0.97 * s, p.y - 1.01 * s, p.z - 1.04 * s},
-                                   {p.x + 1.03 * s, p.y + 0.96 * s, p.z + 0.99 * s}},
-                                  candidates));
+    return test::graph_components(faces({{p.x - 0.97 * s, p.y - 1.01 * s, p.z - 1.04 * s},
+                                         {p.x + 1.03 * s, p.y + 0.96 * s, p.z + 0.99 * s}},
+                                        candidates));
   }
 
   std::uint32_t vertex_at(const Point3& model) const {
@@ -245,6 +247,81 @@ TEST(AxisAtVertex, PocketFloorCorner_IsConnectedIfItHasOneSheetOnly) {
   EXPECT_EQ(b.components_about(b.vertex_at({2, 2, 1}), 0.02), 1u);
   // Ordinary corner of the floor: reflex edges only, no sheet.
   EXPECT_EQ(b.components_about(b.vertex_at({1, 1, 1}), 0.02), 0u);
+}
+
+/// A column with a random top: vertices with convex and reflex edges of all sorts.
+PolygonMesh random_column(unsigned seed, std::uint32_t n) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> height(1, 2);
+  PolygonMesh m;
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x)
+      m.points.push_back({static_cast<double>(x), static_cast<double>(y), height(random)});
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x)
+      m.points.push_back({static_cast<double>(x), static_cast<double>(y), -4});
+  const auto top = [n](std::uint32_t x, std::uint32_t y) { return y * n + x; };
+  const auto bottom = [n](std::uint32_t x, std::uint32_t y) { return n * n + y * n + x; };
+  for (std::uint32_t y = 0; y + 1 < n; ++y)
+    for (std::uint32_t x = 0; x + 1 < n; ++x) {
+      const auto a = top(x, y), b = top(x + 1, y), c = top(x + 1, y + 1), d = top(x, y + 1);
+      if (random() % 2 == 0) {
+        m.faces.push_back({a, b, c});
+        m.faces.push_back({a, c, d});
+      } else {
+        m.faces.push_back({a, b, d});
+        m.faces.push_back({b, c, d});
+      }
+      m.faces.push_back({bottom(x, y), bottom(x, y + 1), bottom(x + 1, y + 1), bottom(x + 1, y)});
+    }
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    const std::uint32_t e = n - 1;
+    m.faces.push_back({top(k + 1, 0), top(k, 0), bottom(k, 0), bottom(k + 1, 0)});
+    m.faces.push_back({top(k, e), top(k + 1, e), bottom(k + 1, e), bottom(k, e)});
+    m.faces.push_back({top(0, k), top(0, k + 1), bottom(0, k + 1), bottom(0, k)});
+    m.faces.push_back({top(e, k + 1), top(e, k), bottom(e, k), bottom(e, k + 1)});
+  }
+  return m;
+}
+
+TEST(AxisAtVertex, SignsOnThePolarCone_AgreeWithTheGraphOnASmallBox) {
+  std::vector<PolygonMesh> meshes = {shapes::lbracket(),
+                                     shapes::lpocket(),
+                                     test::saddle_roof(),
+                                     shapes::torus(6, 5, 2, 0.7),
+                                     shapes::plate(1, 5),
+                                     test::star_void(3),
+                                     test::star_void(4, 1),
+                                     test::star_void(5, 8),
+                                     shapes::rotate_rounded(shapes::lpocket(), 3)};
+  for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(random_column(seed, 5));
+  std::array<std::size_t, 2> met{};
+  std::size_t compared = 0, skipped = 0;
+  for (const PolygonMesh& mesh : meshes) {
+    Bench b(mesh);
+    Predicates predicates(b.geometry);
+    for (std::uint32_t v = 0; v < b.solid.point.size(); ++v) {
+      bool convex = false, reflex = false;
+      for (const auto e : b.solid.edges_at(v)) {
+        convex |= b.solid.edge[e].kind == EdgeKind::kConvex;
+        reflex |= b.solid.edge[e].kind == EdgeKind::kReflex;
+      }
+      if (!convex || !reflex) continue;
+      std::size_t components = 0;
+      try {
+        components = b.components_about(v, 0.01);
+      } catch (const std::runtime_error&) {
+        ++skipped;  // bad position
+        continue;
+      }
+      ++compared;
+      ++met[components > 1 ? 1 : 0];
+      EXPECT_EQ(predicates.axis_connected_at(v), components <= 1) << "vertex " << v;
+    }
+  }
+  EXPECT_LT(20 * skipped, compared);
+  EXPECT_GT(met[0], 100u);
+  EXPECT_GT(met[1], 10u);
 }
 
 }  // namespace

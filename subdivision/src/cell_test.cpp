@@ -427,31 +427,4 @@ CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
   return surface.test(resolve);
 }
 
-std::size_t graph_components(const std::array<std::shared_ptr<const FaceDiagram>, 6>& face) {
-  std::array<std::uint32_t, 6> base{};
-  std::uint32_t nodes = 0;
-  for (int f = 0; f < 6; ++f) {
-    base[f] = nodes;
-    nodes += static_cast<std::uint32_t>(face[f]->node.size());
-  }
-  UnionFind graph;
-  graph.resize(nodes);
-  std::size_t components = nodes;
-  const auto unite = [&](std::uint32_t a, std::uint32_t b) {
-    if (graph.find(a) != graph.find(b)) --components;
-    graph.unite(a, b);
-  };
-  for (int f = 0; f < 6; ++f)
-    for (const FaceArc& a : face[f]->arc) unite(base[f] + a.from, base[f] + a.to);
-  for (const EdgePair& p : edge_pairs())
-    for (std::uint32_t i = 0; i < face[p.face[0]]->node.size(); ++i)
-      for (std::uint32_t j = 0; j < face[p.face[1]]->node.size(); ++j) {
-        const FaceNode &m = face[p.face[0]]->node[i], &n = face[p.face[1]]->node[j];
-        if (m.kind == FaceNode::Kind::kSide && n.kind == FaceNode::Kind::kSide &&
-            m.side == p.side[0] && n.side == p.side[1] && m.breakpoint == n.breakpoint)
-          unite(base[p.face[0]] + i, base[p.face[1]] + j);
-      }
-  return components;
-}
-
 }  // namespace blum

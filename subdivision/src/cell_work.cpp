@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "blum/arrangement/common_point.hpp"
-#include "blum/kernel/closest_point.hpp"
 
 namespace blum {
 namespace {
@@ -229,70 +228,9 @@ bool CellWorker::one_junction(const Cell& cell, const Faces& face) {
 }
 
 bool CellWorker::connected_at(std::uint32_t vertex) {
-  {
-    const std::lock_guard lock(work_.connected_mutex);
-    if (const auto known = work_.connected.find(vertex); known != work_.connected.end())
-      return known->second;
-  }
-  // Two threads may do the same here, with the same answer.
-  const bool connected = connected_at_computed(vertex);
-  const std::lock_guard lock(work_.connected_mutex);
-  work_.connected[vertex] = connected;
-  return connected;
-}
-
-bool CellWorker::connected_at_computed(std::uint32_t vertex) {
-  // A cell about the vertex, so small that Theorem B holds in it (which is checked below: all
-  // candidates and triangles that meet it are incident to the vertex): there the axis is a cone.
-  const Point3& p = solid_.point[vertex];
-  double reach = work_.root_diameter;
-  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-    const auto& tv = solid_.triangle[t].vertex;
-    const auto at = std::find(tv.begin(), tv.end(), vertex);
-    if (at == tv.end()) {
-      reach = std::min(reach, distance_estimate(geometry_, geometry_.index().face(t), p));
-      continue;
-    }
-    const auto opposite =
-        solid_.triangle[t].edge[(static_cast<std::size_t>(at - tv.begin()) + 1) % 3];
-    reach = std::min(reach, distance_estimate(geometry_, geometry_.index().edge(opposite), p));
-  }
-  const auto incident = [&](SiteId s) {
-    int count = 0;
-    const auto corner = geometry_.corners(s, count);
-    return std::find(corner.begin(), corner.begin() + count, vertex) != corner.begin() + count;
-  };
-  const auto at_vertex = solid_.triangles_at(vertex);
-  std::vector<std::uint32_t> all(solid_.triangle.size());
-  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  for (int attempt = 0; attempt < kPlaneAttempts; ++attempt, reach *= 0.25) {
-    Box3 box;
-    for (int k = 0; k < 3; ++k) {
-      box.lo[k] =
-          p[k] - reach * (0.25 + 0.25 * jitter(options_.seed, p[k], reach, k, 100 + attempt));
-      box.hi[k] =
-          p[k] + reach * (0.25 + 0.25 * jitter(options_.seed, p[k], reach, k, 200 + attempt));
-      if (!(box.lo[k] < p[k] && p[k] < box.hi[k])) return false;  // beyond double resolution
-    }
-    const auto triangles = meeting(all, box);
-    if (!std::ranges::all_of(triangles, [&](std::uint32_t t) {
-          return std::find(at_vertex.begin(), at_vertex.end(), t) != at_vertex.end();
-        }))
-      continue;
-    const auto star = production_.prune(geometry_.candidates(), box.lo, box.hi);
-    if (!std::ranges::all_of(star, incident)) continue;
-    LocalDiagrams diagrams(diagrams_, solid_, star, triangles);
-    Faces face;
-    bool decided = true;
-    for (int f = 0; f < 6 && decided; ++f) {
-      face[f] = diagrams.face(box_face(box, f));
-      decided = face[f]->status == FaceStatus::kDecided;
-    }
-    stats_.faces_computed += diagrams.faces_computed();
-    if (!decided) continue;
-    return graph_components(face) <= 1;
-  }
-  return false;
+  const auto [it, fresh] = connected_.try_emplace(vertex, false);
+  if (fresh) it->second = production_.predicates().axis_connected_at(vertex);
+  return it->second;
 }
 
 }  // namespace blum

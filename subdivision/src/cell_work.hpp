@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <unordered_map>
 #include <variant>
@@ -47,9 +46,6 @@ struct CellWork {
   double root_diameter = 1;
 
   std::atomic<std::size_t> nodes{1};  ///< of the tree, those of splits in work included
-
-  std::mutex connected_mutex{};
-  std::unordered_map<std::uint32_t, bool> connected{};  ///< boundary vertex -> connected_at
 };
 
 /// One a thread.
@@ -78,7 +74,6 @@ class CellWorker {
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
   [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);
   [[nodiscard]] bool connected_at(std::uint32_t vertex);
-  [[nodiscard]] bool connected_at_computed(std::uint32_t vertex);
   [[nodiscard]] bool one_junction(const Cell& cell, const Faces& face);
 
   CellWork& work_;
@@ -88,6 +83,7 @@ class CellWorker {
   ProductionEngine& production_;
   DiagramEngine& diagrams_;
   SubdivisionStats stats_;
+  std::unordered_map<std::uint32_t, bool> connected_;  // boundary vertex -> connected_at
 };
 
 /// The box around the solid with which the subdivision begins.

@@ -63,6 +63,10 @@ class Predicates {
   /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
   [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
 
+  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone is
+  /// a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
+  [[nodiscard]] bool axis_connected_at(std::uint32_t vertex) const;
+
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
   /// from point a to point b: positive on the left, in coordinates (u_axis, v_axis).
   [[nodiscard]] int side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const;

@@ -48,9 +48,4 @@ using ConnectedAtVertex = std::function<bool(std::uint32_t vertex)>;
                                    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
                                    const ConnectedAtVertex& connected_at, bool resolve);
 
-/// Number of components of the graph on the surface of a cell with the given diagrams, convex
-/// boundary edges inside the cell not counted.
-[[nodiscard]] std::size_t graph_components(
-    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face);
-
 }  // namespace blum
