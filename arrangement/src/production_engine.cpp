@@ -51,8 +51,10 @@ std::vector<SiteId> ProductionEngine::prune(std::span<const SiteId> candidates, 
 std::vector<std::vector<SiteId>> ProductionEngine::tie_groups(std::span<const SiteId> candidates,
                                                               const Point3& lo, const Point3& hi) {
   std::vector<LocalForm> forms;
-  blum::prune(impl_->context.geometry, candidates, Range::of(lo, hi), forms);
-  const Groups groups = Groups::by_ties(impl_->context, forms);
+  const Range range = Range::of(lo, hi);
+  blum::prune(impl_->context.geometry, candidates, range, forms);
+  Groups groups = Groups::by_ties(impl_->context, forms);
+  if (!groups.cliques) groups = Groups::by_feet(impl_->context, forms, range);
   if (!groups.cliques) return {};
   std::vector<std::vector<SiteId>> sites(groups.count);
   for (std::size_t i = 0; i < forms.size(); ++i) sites[groups.of[i]].push_back(forms[i].site);

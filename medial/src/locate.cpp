@@ -90,6 +90,8 @@ Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const Site
                  &b = solid.point[solid.edge[e].vertex[1]];
     return Point3{b.x - a.x, b.y - a.y, b.z - a.z};
   };
+  // Rims start at the corners of a vertex' polar cone, which are orthogonal to two of its edges.
+  const int u = u_axis(rect.axis), v = v_axis(rect.axis);
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
       const Point3 a = direction(edges[i]), b = direction(edges[j]);
@@ -100,10 +102,13 @@ Placed Locator::rim(const Rect& rect, const FaceNode& node, std::span<const Site
           if (p != q) continue;
           const Point3& o = solid.point[p];
           const double t = (rect.level - o[rect.axis]) / r[rect.axis];
-          Placed placed = anywhere({o.x + t * r.x, o.y + t * r.y, o.z + t * r.z}, candidates);
-          placed.position[rect.axis] = rect.level;
-          placed.on_axis = true;
-          return placed;
+          Point3 x{o.x + t * r.x, o.y + t * r.y, o.z + t * r.z};
+          x[rect.axis] = rect.level;
+          if (x[u] < node.u0 || x[u] > node.u1 || x[v] < node.v0 || x[v] > node.v1) continue;
+          Placed placed = anywhere(x, candidates);
+          placed.on_axis =
+              std::hypot(x.x - o.x, x.y - o.y, x.z - o.z) <= placed.radius + kTieTolerance;
+          if (placed.on_axis) return placed;
         }
     }
   return anywhere(
