@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "blum/kernel/closest_point.hpp"
+#include "engine_context.hpp"
+#include "groups.hpp"
 
 namespace blum {
 namespace {
@@ -154,12 +156,13 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
 }
 
 bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b,
-                       const Range& range) {
+                       const Range& range, EngineContext* context) {
   if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace && b.covers_inside) {
     // Inside both planes the distances are minus the heights: linear, no second-order loss.
     const BallVector &na = geometry.unit(a.site), &nb = geometry.unit(b.site);
     const BallVector d = {na[0] - nb[0], na[1] - nb[1], na[2] - nb[2]};
-    return (b.height - a.height).low() - spread(d, range) > 0;
+    if ((b.height - a.height).low() - spread(d, range) > 0) return true;
+    return context != nullptr && heights_compared(*context, b.site, a.site, range) > 0;
   }
   BallVector g;
   for (int k = 0; k < 3; ++k) g[k] = a.gradient[k] - b.gradient[k];
@@ -170,8 +173,18 @@ bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const L
   return (a.value - b.value).low() - spread(g, range) - up(second) > 0;
 }
 
+int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& range) {
+  const SiteGeometry& geometry = context.geometry;
+  const CommonCorners common = common_corners(geometry, a, b);
+  if (common.count == 0) return 0;
+  const BallVector& d = context.unit_difference(a, b);
+  const Ball h = dot(d, difference(range.center, geometry.solid().point[common.vertex[0]]));
+  const double s = spread(d, range);
+  return h.low() > s ? 1 : h.high() < -s ? -1 : 0;
+}
+
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out, double hint) {
+           std::vector<LocalForm>& out, double hint, EngineContext* context) {
   out.clear();
   const double radius = range.radius();
   // Upper bound on the distance at the centre: from carriers whose foot is certainly in the site,
@@ -226,7 +239,7 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
   for (std::size_t r = 0; r < references; ++r) ref.push_back(out[reference[r]]);
   std::erase_if(out, [&](const LocalForm& f) {
     for (const LocalForm& r : ref)
-      if (r.site != f.site && certainly_farther(geometry, f, r, range)) return true;
+      if (r.site != f.site && certainly_farther(geometry, f, r, range, context)) return true;
     return false;
   });
   // What is farther than the mean of two is farther than one of them at every point. That drops a

@@ -12,6 +12,8 @@
 
 namespace blum {
 
+struct EngineContext;
+
 /// A box, rectangle, segment or point: centre and half widths (0 on the axes it does not extend
 /// in).
 struct Range {
@@ -50,8 +52,15 @@ struct LocalForm {
 /// Is d_a^2 - d_b^2 > 0 (carriers) at every point of the range where a can govern? Requires, for
 /// the conclusion "a does not govern", that b.covers; without it only "a and b do not tie, b nearer
 /// by carrier".
+/// With a context, faces that meet in a vertex are compared there, to a small relative error
+/// however close their planes are.
 [[nodiscard]] bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a,
-                                     const LocalForm& b, const Range& range);
+                                     const LocalForm& b, const Range& range,
+                                     EngineContext* context = nullptr);
+
+/// Certain sign of height(a) - height(b), signed distances to the planes of two faces that meet in
+/// a vertex, over the whole range; 0: undecided, or the faces do not meet.
+[[nodiscard]] int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& range);
 
 /// Does no point of the range have the vertex as foot, by its polar cone? True only if certain.
 [[nodiscard]] bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex,
@@ -60,8 +69,9 @@ struct LocalForm {
 /// Keeps those candidates that may govern a point of the range (inside the solid): by domains, by
 /// distance bounds (thesis section 5.4.2), by comparison with candidates that cover the range.
 /// Order is kept. `hint`: an upper bound on the distance from the centre to the boundary, known
-/// from elsewhere.
+/// from elsewhere. `context`: see certainly_farther.
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out, double hint = std::numeric_limits<double>::infinity());
+           std::vector<LocalForm>& out, double hint = std::numeric_limits<double>::infinity(),
+           EngineContext* context = nullptr);
 
 }  // namespace blum

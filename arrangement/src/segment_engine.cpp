@@ -1,6 +1,7 @@
 #include "segment_engine.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
@@ -160,7 +161,8 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
                                int depth) {
   const Range range = Range::of(at(line, std::min(a.t, b.t)), at(line, std::max(a.t, b.t)));
   std::vector<LocalForm> forms;
-  prune(context_.geometry, candidates, range, forms);
+  prune(context_.geometry, candidates, range, forms, std::numeric_limits<double>::infinity(),
+        &context_);
   const Groups ties = Groups::by_ties(context_, forms);
   if (ties.cliques && change_at_most_once(line, a, b, forms, ties, range, out)) return {};
   const Groups feet = Groups::by_feet(context_, forms, range);

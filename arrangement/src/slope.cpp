@@ -59,6 +59,10 @@ double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& 
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
+  // Faces that both govern have the point on their inner sides, at minus the heights.
+  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace &&
+      heights_compared(context, a.site, b.site, range) != 0)
+    return false;
   return !certainly_farther(context.geometry, a, b, range) &&
          !certainly_farther(context.geometry, b, a, range);
 }

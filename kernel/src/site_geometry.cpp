@@ -6,11 +6,22 @@
 namespace blum {
 namespace expression = detail::expression;
 
+namespace {
+
+BallVector negative(const BallVector& w) { return {-w[0], -w[1], -w[2]}; }
+
+}  // namespace
+
 SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
   half_begin_.reserve(index_.size() + 1);
   unit_.resize(index_.size());
-  const auto add = [&](HalfSpace h) {
-    h.w = expression::half_space_direction<Ball>(solid, h);
+  for (std::uint32_t e = 0; e < solid.edge.size(); ++e)
+    unit_[index_.edge(e).value] = expression::unit_direction(solid, e);
+  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t)
+    unit_[index_.face(t).value] = expression::unit_normal(solid, t);
+  // Directions from the unit vectors have a small relative error, in slivers too.
+  const auto add = [&](HalfSpace h, const BallVector& w) {
+    h.w = w;
     half_.push_back(h);
   };
   using Kind = HalfSpace::Kind;
@@ -22,7 +33,11 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     candidates_.push_back(index_.vertex(v));
     for (const auto e : solid.edges_at(v)) {
       const auto& ends = solid.edge[e].vertex;
-      add({Kind::kAlong, v, ends[0] == v ? ends[1] : ends[0], 0, v, {}});
+      const BallVector& u = unit_[index_.edge(e).value];
+      if (ends[0] == v)
+        add({Kind::kAlong, v, ends[1], 0, v, {}}, u);
+      else
+        add({Kind::kAlong, v, ends[0], 0, v, {}}, negative(u));
     }
   }
   for (std::uint32_t e = 0; e < solid.edge.size(); ++e) {
@@ -30,27 +45,34 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     const SolidEdge& edge = solid.edge[e];
     const auto [a, b] = edge.vertex;
     const SiteId site = index_.edge(e);
-    unit_[site.value] = expression::unit_direction(solid, e);
     if (edge.kind != EdgeKind::kReflex) continue;
     candidates_.push_back(site);
-    add({Kind::kAlong, a, b, 0, b, {}});
-    add({Kind::kAlong, b, a, 0, a, {}});
+    const BallVector& u = unit_[site.value];
+    add({Kind::kAlong, a, b, 0, b, {}}, u);
+    add({Kind::kAlong, b, a, 0, a, {}}, negative(u));
     for (const auto t : edge.triangle) {
       std::uint32_t opposite = 0;
       for (const auto v : solid.triangle[t].vertex)
         if (v != a && v != b) opposite = v;
-      add({Kind::kInFace, a, b, opposite, a, {}});
+      // n x u points into triangle[0], where the edge runs from a to b.
+      const BallVector in = cross(unit_[index_.face(t).value], u);
+      add({Kind::kInFace, a, b, opposite, a, {}}, t == edge.triangle[0] ? in : negative(in));
     }
   }
   for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
     half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
     const auto [a, b, c] = solid.triangle[t].vertex;
     candidates_.push_back(index_.face(t));
-    add({Kind::kPrism, a, b, c, a, {}});
-    add({Kind::kPrism, b, c, a, b, {}});
-    add({Kind::kPrism, c, a, b, c, {}});
-    add({Kind::kPlane, a, b, c, a, {}});
-    unit_[index_.face(t).value] = expression::unit_normal(solid, t);
+    const BallVector& n = unit_[index_.face(t).value];
+    const auto out = [&](int k) {
+      const auto e = solid.triangle[t].edge[k];
+      const BallVector w = cross(unit_[index_.edge(e).value], n);
+      return solid.edge[e].vertex[0] == solid.triangle[t].vertex[k] ? w : negative(w);
+    };
+    add({Kind::kPrism, a, b, c, a, {}}, out(0));
+    add({Kind::kPrism, b, c, a, b, {}}, out(1));
+    add({Kind::kPrism, c, a, b, c, {}}, out(2));
+    add({Kind::kPlane, a, b, c, a, {}}, n);
   }
   half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
 }
