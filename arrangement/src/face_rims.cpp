@@ -130,7 +130,8 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
       meets_polar_cone(context_.geometry.solid(), *v,
                        point_on(problem_.rect.axis, problem_.rect.level, box.u0, box.v0),
                        point_on(problem_.rect.axis, problem_.rect.level, box.u1, box.v1))) {
-    if (ties > (context_.foot_cone(*v) == Predicates::FootCone::kRay ? 2 : 1)) return false;
+    // Even with a single ray, two ties may be one arc, or meet in an event from which a rim starts.
+    if (ties > 1) return false;
   } else if (ties == 1) {
     return false;
   }

@@ -137,7 +137,7 @@ bool SegmentEngine::merge_at_most_once(const Segment& line, const StretchEnd& a,
         broken_invariant("governor not among the candidates", __FILE__, __LINE__);
       };
       const int sa = side_of(a.label), sb = side_of(b.label);
-      BLUM_CHECK(sa <= sb);
+      if (sa > sb) continue;  // both ends have their foot in v
       if (sa == -1 && sb == 1) {
         // Where all sites meet in v, it is a foot in its whole polar cone.
         const bool star = std::all_of(forms.begin(), forms.end(), [&](const LocalForm& g) {

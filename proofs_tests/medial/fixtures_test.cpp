@@ -33,5 +33,21 @@ TEST(Fixtures, GoverningVertex_BettiNumbersOfTheSolid) {
   EXPECT_EQ(files, 2u);
 }
 
+// Near its vertex 0 a seam comes to the ray of points whose foot is the vertex, and a rim starts
+// there: parts of faces with two ties at the ray were taken for plain arcs, and a sheet was lost.
+TEST(Fixtures, SeamAtARayOfFeet_KeepsTheSheetThatEndsThere) {
+  const auto mesh = read_mesh(std::filesystem::path(BLUM_FIXTURES_DIR) / "ray_tripod.off");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  const auto solid = build_solid(mesh.value());
+  ASSERT_TRUE(solid) << solid.error().message;
+  MedialOptions options;
+  options.seed = 4;
+  options.resolve = true;
+  const auto axis = compute_medial_axis(solid.value(), options);
+  ASSERT_TRUE(axis);
+  EXPECT_TRUE(axis.value().certified);
+  EXPECT_EQ(axis.value().parts.sheets, 21u);
+}
+
 }  // namespace
 }  // namespace blum
