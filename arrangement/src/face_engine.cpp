@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "blum/arrangement/common_point.hpp"
 #include "blum/kernel/check.hpp"
@@ -602,8 +601,7 @@ Trouble FaceEngine::refine(Box box) {
   if (context_.stopped()) return {FaceStatus::kUndecided, "stopped"};
   if (++boxes_ > kMaxBoxes) return {FaceStatus::kUndecided, "face: boxes spent"};
   std::vector<LocalForm> forms;
-  prune(context_.geometry, box.candidates, range_of(box), forms,
-        std::numeric_limits<double>::infinity(), &context_);
+  prune(context_.geometry, box.candidates, range_of(box), forms, &context_);
   Border border = border_of(box);
   if (accept(box, forms, border)) return {};
   box.stuck = forms.size() < box.candidates.size() ? 0 : box.stuck + 1;

@@ -21,10 +21,9 @@ bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
   for (const LocalForm& f : forms) sites.push_back(f.site);
   std::sort(sites.begin(), sites.end());
   FaceProblem part = problem_;
-  part.triangles = {};
   part.rect = {problem_.rect.axis, problem_.rect.level, box.u0, box.u1, box.v0, box.v1};
   part.candidates = sites;
-  if (!interior) part.triangles = box.triangles;
+  part.triangles = interior ? std::span<const std::uint32_t>{} : box.triangles;
   part.interior = interior;
   const FaceDiagram d = brute_face(part);
   if (d.status != FaceStatus::kDecided) return false;

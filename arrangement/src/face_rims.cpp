@@ -69,11 +69,8 @@ std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
   int n = 0;
   const auto first = geometry.corners(forms[0].site, n);
   for (int k = 0; k < n; ++k)
-    if (std::all_of(forms.begin() + 1, forms.end(), [&](const LocalForm& f) {
-          int m = 0;
-          const auto c = geometry.corners(f.site, m);
-          return std::find(c.begin(), c.begin() + m, first[k]) != c.begin() + m;
-        }))
+    if (std::all_of(forms.begin() + 1, forms.end(),
+                    [&](const LocalForm& f) { return geometry.has_corner(f.site, first[k]); }))
       return first[k];
   return std::nullopt;
 }

@@ -184,7 +184,7 @@ int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& ra
 }
 
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out, double hint, EngineContext* context) {
+           std::vector<LocalForm>& out, EngineContext* context, double hint) {
   out.clear();
   const double radius = range.radius();
   // Upper bound on the distance at the centre: from carriers whose foot is certainly in the site,

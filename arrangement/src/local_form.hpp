@@ -71,7 +71,7 @@ struct LocalForm {
 /// Order is kept. `hint`: an upper bound on the distance from the centre to the boundary, known
 /// from elsewhere. `context`: see certainly_farther.
 void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, const Range& range,
-           std::vector<LocalForm>& out, double hint = std::numeric_limits<double>::infinity(),
-           EngineContext* context = nullptr);
+           std::vector<LocalForm>& out, EngineContext* context = nullptr,
+           double hint = std::numeric_limits<double>::infinity());
 
 }  // namespace blum

@@ -40,7 +40,7 @@ std::vector<SiteId> ProductionEngine::prune(std::span<const SiteId> candidates, 
                                             const Point3& hi, const DistanceHint& hint) const {
   std::vector<LocalForm> forms;
   const Range range = Range::of(lo, hi);
-  blum::prune(impl_->context.geometry, candidates, range, forms,
+  blum::prune(impl_->context.geometry, candidates, range, forms, nullptr,
               hint ? hint(range.center) : std::numeric_limits<double>::infinity());
   std::vector<SiteId> kept;
   kept.reserve(forms.size());

@@ -1,7 +1,6 @@
 #include "segment_engine.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
@@ -141,9 +140,7 @@ bool SegmentEngine::merge_at_most_once(const Segment& line, const StretchEnd& a,
       if (sa == -1 && sb == 1) {
         // Where all sites meet in v, it is a foot in its whole polar cone.
         const bool star = std::all_of(forms.begin(), forms.end(), [&](const LocalForm& g) {
-          int m = 0;
-          const auto c = geometry.corners(g.site, m);
-          return std::find(c.begin(), c.begin() + m, v) != c.begin() + m;
+          return geometry.has_corner(g.site, v);
         });
         const bool meets = meets_polar_cone(geometry.solid(), v, at(line, std::min(a.t, b.t)),
                                             at(line, std::max(a.t, b.t)));
@@ -161,8 +158,7 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
                                int depth) {
   const Range range = Range::of(at(line, std::min(a.t, b.t)), at(line, std::max(a.t, b.t)));
   std::vector<LocalForm> forms;
-  prune(context_.geometry, candidates, range, forms, std::numeric_limits<double>::infinity(),
-        &context_);
+  prune(context_.geometry, candidates, range, forms, &context_);
   const Groups ties = Groups::by_ties(context_, forms);
   if (ties.cliques && change_at_most_once(line, a, b, forms, ties, range, out)) return {};
   const Groups feet = Groups::by_feet(context_, forms, range);

@@ -115,7 +115,7 @@ std::optional<std::vector<int>> sides_of(EngineContext& context, std::span<const
   for (std::size_t i = 0; i < forms.size(); ++i) {
     int n = 0, on_plane = 0;
     const auto corner = geometry.corners(forms[i].site, n);
-    const bool at_v = std::find(corner.begin(), corner.begin() + n, v) != corner.begin() + n;
+    const bool at_v = geometry.has_corner(forms[i].site, v);
     for (int k = 0; k < n; ++k) {
       const auto p = corner[k];
       if (p == v) continue;

@@ -1,5 +1,7 @@
 #include "blum/kernel/site_geometry.hpp"
 
+#include <algorithm>
+
 #include "blum/kernel/check.hpp"
 #include "site_expressions.hpp"
 
@@ -116,6 +118,12 @@ std::array<std::uint32_t, 3> SiteGeometry::corners(SiteId s, int& count) const {
   }
   count = 3;
   return solid_->triangle[i].vertex;
+}
+
+bool SiteGeometry::has_corner(SiteId s, std::uint32_t vertex) const {
+  int count = 0;
+  const auto corner = corners(s, count);
+  return std::find(corner.begin(), corner.begin() + count, vertex) != corner.begin() + count;
 }
 
 SiteCounts count_sites(const Solid& solid) {

@@ -417,11 +417,8 @@ CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
   CellSurface surface(geometry, box, triangles, face, connected_at);
   if (surface.vertices().size() == 1) {
     const auto v = surface.vertices().front();
-    const bool incident = std::ranges::all_of(candidates, [&](SiteId s) {
-      int count = 0;
-      const auto corner = geometry.corners(s, count);
-      return std::find(corner.begin(), corner.begin() + count, v) != corner.begin() + count;
-    });
+    const bool incident =
+        std::ranges::all_of(candidates, [&](SiteId s) { return geometry.has_corner(s, v); });
     if (incident) return surface.conical(v, resolve);
   }
   return surface.test(resolve);

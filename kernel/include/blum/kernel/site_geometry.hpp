@@ -55,6 +55,7 @@ class SiteGeometry {
 
   /// Vertices of the site (1 to 3 points of the solid).
   [[nodiscard]] std::array<std::uint32_t, 3> corners(SiteId s, int& count) const;
+  [[nodiscard]] bool has_corner(SiteId s, std::uint32_t vertex) const;
 
  private:
   const Solid* solid_;
