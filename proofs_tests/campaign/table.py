@@ -1,0 +1,43 @@
+"""What the runs say, by family."""
+
+import collections
+import statistics
+
+from runner import CERTIFIED, CRASH, INVALID, KILLED, UNDECIDED, WRONG
+
+HEAD = ["family", "runs", "invalid", "certified", "undecided", "wrong", "crash", "killed",
+        "not certified", "sites", "time s", "most s", "most MiB"]
+
+
+def line(name, rows):
+    count = collections.Counter(row["outcome"] for row in rows)
+    valid = [row for row in rows if row["outcome"] != INVALID]
+    share = 1 - count[CERTIFIED] / len(valid) if valid else 0
+    times = [row["time_s"] for row in valid] or [0]
+    return [name, len(rows), count[INVALID], count[CERTIFIED], count[UNDECIDED], count[WRONG],
+            count[CRASH], count[KILLED], f"{100 * share:.1f} %",
+            max((row["sites"] or 0 for row in valid), default=0),
+            f"{statistics.median(times):.2f}", f"{max(times):.1f}",
+            f"{max((row['memory'] or 0 for row in valid), default=0) / 2**20:.0f}"]
+
+
+def text(rows):
+    families = {}
+    for row in rows:
+        families.setdefault(row["family"], []).append(row)
+    lines = [HEAD] + [line(name, members) for name, members in sorted(families.items())]
+    lines.append(line("all", rows))
+    widths = [max(len(str(cells[i])) for cells in lines) for i in range(len(HEAD))]
+    out = ["  ".join(str(c).ljust(w) if i == 0 else str(c).rjust(w)
+                     for i, (c, w) in enumerate(zip(cells, widths))) for cells in lines]
+    out.insert(1, "-" * len(out[0]))
+    out.insert(-1, out[1])
+    causes = collections.Counter((row["outcome"], row["reason"]) for row in rows
+                                 if row["outcome"] != CERTIFIED)
+    if causes:
+        out += ["", "outcome and reason (runs, first ids):"]
+    for (outcome, reason), n in sorted(causes.items()):
+        ids = [str(r["id"]) for r in rows if (r["outcome"], r["reason"]) == (outcome, reason)]
+        out.append(f"  {n:5}  {outcome}: {reason}  (" + ", ".join(ids[:6]) +
+                   (", ..." if n > 6 else "") + ")")
+    return "\n".join(out)
