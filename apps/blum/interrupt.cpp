@@ -28,12 +28,14 @@ void handle(int signal) {
 
 }  // namespace
 
-void catch_interrupts() {
+void catch_signals() {
   struct sigaction action {};
   action.sa_handler = handle;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 DeferInterrupts::DeferInterrupts() { is_deferred = true; }

@@ -4,7 +4,9 @@
 
 namespace blum::app {
 
-void catch_interrupts();
+/// Also of SIGXFSZ, which is ignored: a write beyond the limit on file sizes then fails like one on a
+/// full disk, and the temporary file can be removed.
+void catch_signals();
 
 /// While one is alive, the first signal only sets a flag; a second one ends the program all the
 /// same. Not nested.

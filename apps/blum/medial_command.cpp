@@ -68,7 +68,8 @@ class Stopwatch {
 
 constexpr const char* kUndecidedSuffix = ".undecided.vtp";
 
-/// The files a run is going to write; the one of what is undecided is not among them.
+/// The files a run is going to write; the one of what is undecided, which it writes or removes, is
+/// not among them.
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
@@ -76,6 +77,31 @@ std::vector<fs::path> outputs(const MedialArguments& arguments) {
     if (!name.empty()) files.emplace_back(name);
   }
   return files;
+}
+
+/// The same for two names of one file in a folder, however the folder is called.
+fs::path identity(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const fs::path canonical = fs::canonical(folder, ignored);
+  return (canonical.empty() ? folder.lexically_normal() : canonical) / file.filename();
+}
+
+/// What is wrong with the names of the files, if anything.
+std::optional<std::string> conflict(const fs::path& model, const std::vector<fs::path>& files) {
+  std::map<fs::path, fs::path> known;
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (fs::equivalent(file, model, ignored)) {
+      return "the model would be overwritten; choose another name with -o";
+    }
+    const auto [other, is_new] = known.emplace(identity(file), file);
+    if (!is_new) {
+      return "two outputs would go to one file: " + other->second.string() + " and " +
+             file.string();
+    }
+  }
+  return std::nullopt;
 }
 
 /// Finds out before the work whether its result can be kept. (The writers check again.)
@@ -88,6 +114,8 @@ std::optional<Error> output_problem(const std::vector<fs::path>& files) {
       problem = "its folder does not exist";
     } else if (fs::is_directory(file, ignored)) {
       problem = "it is a directory";
+    } else if (fs::is_other(file, ignored)) {
+      problem = "it is not a regular file";
     } else if (access(folder.c_str(), W_OK) != 0) {
       problem = "its folder is not writable";
     }
@@ -115,12 +143,9 @@ int run_medial(MedialArguments arguments) {
   }
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
-  for (const fs::path& file : outputs(arguments)) {
-    std::error_code ignored;
-    if (fs::equivalent(file, arguments.model, ignored)) {
-      return report_usage("the model would be overwritten; choose another name with -o");
-    }
-  }
+  std::vector<fs::path> files = outputs(arguments);
+  files.emplace_back(arguments.prefix + kUndecidedSuffix);
+  if (const auto problem = conflict(arguments.model, files)) return report_usage(*problem);
 
   Stopwatch total, phase;
   SummaryInput summary;
@@ -150,8 +175,6 @@ int run_medial(MedialArguments arguments) {
   }
   arguments.options.max_memory_bytes = arguments.max_memory_mib << 20;
   arguments.options.max_leaf_diameter = arguments.epsilon * diagonal(mesh.value());
-  std::vector<fs::path> files = outputs(arguments);
-  files.emplace_back(arguments.prefix + kUndecidedSuffix);
   if (const auto problem = output_problem(files)) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole

@@ -14,10 +14,21 @@
 namespace blum::detail {
 namespace {
 
-Error not_written(const std::filesystem::path& file, int error_number) {
-  return {ErrorCode::kOutputNotWritten,
-          "cannot write '" + file.string() + "': " + std::generic_category().message(error_number),
+Error not_written(const std::filesystem::path& file, const std::string& reason) {
+  return {ErrorCode::kOutputNotWritten, "cannot write '" + file.string() + "': " + reason,
           file.string(), std::nullopt};
+}
+Error not_written(const std::filesystem::path& file, int error_number) {
+  return not_written(file, std::generic_category().message(error_number));
+}
+
+/// What is in the way of a file of that name. A rename over a directory fails too, but only after
+/// other files may have got their names; over a device or a pipe it would take its place.
+std::optional<std::string> obstacle(const std::filesystem::path& target) {
+  struct stat status {};
+  if (target.filename().empty()) return "it names a directory";
+  if (::stat(target.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return std::nullopt;
+  return S_ISDIR(status.st_mode) ? "it is a directory" : "it is not a regular file";
 }
 
 /// A file under a temporary name, removed unless it is renamed.
@@ -62,11 +73,6 @@ int Temporary::open() {
 }
 
 int Temporary::write(const std::function<void(OutputStream&)>& content) {
-  // A rename over a directory fails too, but only after other files may have got their names.
-  struct stat status {};
-  if (target_.filename().empty()) return EISDIR;
-  if (::stat(target_.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) return EISDIR;
-
   const int descriptor = open();
   if (descriptor < 0) return errno;
   OutputStream out(descriptor);
@@ -87,6 +93,7 @@ std::optional<Error> write_files(std::span<const OutputFile> files) {
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {
+    if (const auto reason = obstacle(file.path)) return not_written(file.path, *reason);
     Temporary& temporary = temporaries.emplace_back(file.path);
     if (const int error = temporary.write(file.write)) return not_written(file.path, error);
   }

@@ -1,11 +1,9 @@
 #include <charconv>
-#include <fstream>
+#include <span>
 #include <string>
-#include <system_error>
 
 #include "blum/kernel/mesh.hpp"
-
-#include <unistd.h>
+#include "blum/kernel/output_files.hpp"
 
 namespace blum {
 namespace {
@@ -42,32 +40,9 @@ std::string off_text(const PolygonMesh& mesh) {
 }
 
 std::optional<Error> write_off(const PolygonMesh& mesh, const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& what) {
-    return Error{ErrorCode::kOutputNotWritten, what, file.string(), std::nullopt};
-  };
-  std::error_code code;
-  if (std::filesystem::is_directory(file, code)) return fail("a directory is in the way");
-  // Beside the target, so that the rename stays on one file system and is atomic.
-  std::filesystem::path temporary = file;
-  temporary += ".tmp" + std::to_string(::getpid());
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    if (!out) return fail("the file cannot be created");
-    const std::string text = off_text(mesh);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) {
-      std::filesystem::remove(temporary, code);
-      return fail("writing failed");
-    }
-  }
-  std::filesystem::rename(temporary, file, code);
-  if (code) {
-    const std::string what = code.message();
-    std::filesystem::remove(temporary, code);
-    return fail("the finished file cannot be renamed: " + what);
-  }
-  return std::nullopt;
+  const detail::OutputFile output{
+      file, [&mesh](detail::OutputStream& out) { out << off_text(mesh); }};
+  return detail::write_files(std::span(&output, 1));
 }
 
 }  // namespace blum

@@ -177,12 +177,14 @@ def judge(row, summary):
 
 def check_radii(folder, mesh):
     """(whether it was done, complaint): distances by brute force, of a sample of the vertices."""
-    # Beside a large offset the written coordinates themselves are rounded to more than that.
-    rounding = 8 * math.ulp(max(abs(x) for p in mesh.points for x in p)) / diagonal(mesh.points)
+    # Beside a large offset the written coordinates are themselves rounded to more than that.
+    rounding = math.ulp(max(abs(x) for p in mesh.points for x in p)) / diagonal(mesh.points)
+    if rounding > 1e-10:
+        return False, ""
     try:
         ended = subprocess.run(
-            [sys.executable, "-B", CHECK_RADIUS, "--sample", "100", "--min-feet", "0",
-             "--tolerance", repr(1e-9 + rounding), "x.vtp", "model.off"], cwd=folder, capture_output=True, encoding="utf-8", timeout=120)
+            [sys.executable, "-B", CHECK_RADIUS, "--sample", "100", "--min-feet", "0", "x.vtp",
+             "model.off"], cwd=folder, capture_output=True, encoding="utf-8", timeout=120)
     except subprocess.TimeoutExpired:
         return False, ""
     if ended.returncode == 0:

@@ -18,7 +18,8 @@ struct OutputFile {
 
 /// First every file completely under a temporary name in its directory, then the renames. On an
 /// error (kOutputNotWritten, with the file and the system's reason) the temporaries are removed;
-/// only a rename that fails after another has succeeded leaves new files beside old ones.
+/// only a rename that fails after another has succeeded leaves new files beside old ones. A name
+/// that is a directory's, a device's or a pipe's is refused: the rename would take its place.
 [[nodiscard]] std::optional<Error> write_files(std::span<const OutputFile> files);
 
 }  // namespace blum::detail
