@@ -1,5 +1,6 @@
 option(BLUM_BUILD_TESTS "Build the test suite" ON)
 option(BLUM_BUILD_BENCH "Build the benchmarks" ON)
+option(BLUM_BUILD_FUZZ "Build the fuzz targets with libFuzzer (needs clang 16)" OFF)
 option(BLUM_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 
 set(CMAKE_CXX_STANDARD 20)
@@ -16,4 +17,14 @@ endif()
 find_program(BLUM_CCACHE ccache)
 if(BLUM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${BLUM_CCACHE})
+endif()
+
+if(BLUM_BUILD_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "BLUM_BUILD_FUZZ needs clang: cmake --preset fuzz")
+  endif()
+  # Everything is instrumented; the targets alone link libFuzzer's main.
+  set(BLUM_FUZZ_FLAGS -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined)
+  add_compile_options(${BLUM_FUZZ_FLAGS})
+  add_link_options(-fsanitize=address,undefined)
 endif()

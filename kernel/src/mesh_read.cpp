@@ -17,8 +17,9 @@ bool is_obj_keyword(std::string_view word) {
   return false;
 }
 
-/// The content decides; the extension only where the content does not.
-Result<PolygonMesh> read_bytes(std::string_view bytes, std::string_view extension) {
+}  // namespace
+
+Result<PolygonMesh> read::any(std::string_view bytes, std::string_view extension) {
   if (bytes.empty()) return read::make_error(ErrorCode::kEmptyFile, "the file is empty");
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read::ply(bytes);
   if (read::looks_like_off(bytes)) return read::off(bytes);
@@ -37,8 +38,6 @@ Result<PolygonMesh> read_bytes(std::string_view bytes, std::string_view extensio
   return read::make_error(ErrorCode::kUnknownFormat,
                           "neither content nor extension is of OFF, OBJ, STL or PLY");
 }
-
-}  // namespace
 
 Result<PolygonMesh> read_mesh(const std::filesystem::path& file) {
   const auto fail = [&](Error error) {
@@ -69,7 +68,7 @@ Result<PolygonMesh> read_mesh(const std::filesystem::path& file) {
     bytes.append(buffer, static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) return fail(read::make_error(ErrorCode::kFileUnreadable, "reading failed"));
-  Result<PolygonMesh> mesh = read_bytes(bytes, file.extension().string());
+  Result<PolygonMesh> mesh = read::any(bytes, file.extension().string());
   if (!mesh.ok()) return fail(mesh.error());
   return mesh;
 }

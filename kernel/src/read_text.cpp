@@ -116,7 +116,10 @@ std::optional<double> parse_double(std::string_view token) {
 }
 
 std::optional<long long> parse_integer(std::string_view token) {
-  if (!token.empty() && token[0] == '+') token.remove_prefix(1);
+  if (!token.empty() && token[0] == '+') {
+    token.remove_prefix(1);
+    if (!token.empty() && token[0] == '-') return std::nullopt;
+  }
   long long n = 0;
   const char* end = token.data() + token.size();
   const auto [stop, error] = std::from_chars(token.data(), end, n);

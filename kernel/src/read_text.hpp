@@ -65,6 +65,9 @@ class Tokens {
 [[nodiscard]] Result<PolygonMesh> stl_binary(std::string_view bytes);
 [[nodiscard]] Result<PolygonMesh> ply(std::string_view bytes);
 
+/// Of any of these formats: the content decides, the extension (".off") only where it does not.
+[[nodiscard]] Result<PolygonMesh> any(std::string_view bytes, std::string_view extension);
+
 [[nodiscard]] bool looks_like_off(std::string_view text);  ///< COFF, NOFF, STOFF, ... included
 /// Has the bytes the exact length that a binary STL's triangle count asks for?
 [[nodiscard]] bool looks_like_binary_stl(std::string_view bytes);

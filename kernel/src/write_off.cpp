@@ -40,8 +40,8 @@ std::string off_text(const PolygonMesh& mesh) {
 }
 
 std::optional<Error> write_off(const PolygonMesh& mesh, const std::filesystem::path& file) {
-  const detail::OutputFile output{
-      file, [&mesh](detail::OutputStream& out) { out << off_text(mesh); }};
+  const detail::OutputFile output{file,
+                                  [&mesh](detail::OutputStream& out) { out << off_text(mesh); }};
   return detail::write_files(std::span(&output, 1));
 }
 

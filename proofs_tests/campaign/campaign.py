@@ -184,7 +184,7 @@ def shrink(arguments):
     def fails(candidate):
         nonlocal tries
         tries += 1
-        new = runner.run(candidate, betti_numbers(candidate), seed)
+        new = runner.run(candidate, betti_numbers(candidate), seed, wanted[1].startswith("axis"))
         return (new["outcome"], new["reason"]) == wanted
 
     wanted = row["outcome"], row["reason"]
@@ -197,7 +197,8 @@ def shrink(arguments):
 
 
 def limits_of(arguments):
-    return Limits(arguments.time_limit, arguments.max_memory, arguments.max_cells)
+    return Limits(arguments.time_limit, arguments.max_memory, arguments.max_cells,
+                  arguments.grace)
 
 
 def parser():
@@ -213,6 +214,8 @@ def parser():
             p.add_argument("--time-limit", type=float, default=60.0, help="seconds of a run")
             p.add_argument("--max-memory", type=int, default=4096, help="MiB of a run")
             p.add_argument("--max-cells", type=int, default=0, help="0: the tool's default")
+            p.add_argument("--grace", type=float, default=30.0,
+                           help="seconds after the limit (and a quarter) when a run is killed")
             p.add_argument("--check-axis", type=int, default=0,
                            help="check radii by brute force in every nth run")
         return p

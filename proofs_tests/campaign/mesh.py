@@ -122,8 +122,10 @@ def shells(mesh):
 
 
 def triangles(points, faces):
-    """By fans: enough for signed volumes and crossings where faces are planar or nearly so."""
-    return [(points[f[0]], points[b], points[c]) for f in faces for b, c in zip(f[1:], f[2:])]
+    """By fans, without empty ones: enough for signed volumes and crossings where faces are planar or
+    nearly so."""
+    fans = [(points[f[0]], points[b], points[c]) for f in faces for b, c in zip(f[1:], f[2:])]
+    return [t for t in fans if normal(t, (0, 1, 2)) != (0, 0, 0)]
 
 
 def is_inside(point, triangle_list, rng):

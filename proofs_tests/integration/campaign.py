@@ -1,0 +1,210 @@
+"""The campaign tool: a sample of every family, resumed after an interrupt; it notices what it has to
+notice (a tool that lies, crashes or hangs); replays; shrinks."""
+
+import json
+import signal
+import sqlite3
+import subprocess
+import sys
+import unittest
+
+from tool import SOURCE, TOOL, ToolTest, main
+
+FOLDER = SOURCE / "proofs_tests" / "campaign"
+sys.path.insert(0, str(FOLDER))
+
+import convex  # noqa: E402
+import families  # noqa: E402
+import thin  # noqa: E402
+from facets import merged, retriangulated  # noqa: E402
+from mesh import betti_numbers, integers, triangles, volume  # noqa: E402
+from voxels import of_pattern, unit_planes  # noqa: E402
+
+# Runs the tool, then changes what it leaves behind, as the first argument says.
+LIAR = """#!{python}
+import json, os, pathlib, signal, subprocess, sys, time
+what = {what!r}
+if what == "hangs":
+    time.sleep(600)
+ended = subprocess.run([{tool!r}, *sys.argv[1:]], stdout=subprocess.DEVNULL)
+path = pathlib.Path(sys.argv[sys.argv.index("--summary") + 1])
+if path.is_file():
+    summary = json.loads(path.read_text())
+    if what == "wrong axis":
+        summary["result"]["betti"][1] += 1
+    if what == "wrong solid":
+        summary["solid"]["betti"][0] += 1
+    if what == "not what it says":
+        summary["result"]["certified"] = False
+    path.write_text(json.dumps(summary))
+if what == "signal":
+    os.kill(os.getpid(), signal.SIGSEGV)
+if what == "wrong radius":
+    vtp = pathlib.Path("x.vtp")
+    model = pathlib.Path("model.off").read_text().splitlines()
+    model[2] = "0.015625 0 0"
+    pathlib.Path("model.off").write_text("\\n".join(model))
+if what == "wrong or not" and len(pathlib.Path("model.off").read_text()) > 400:
+    summary["result"]["betti"][0] += 1
+    path.write_text(json.dumps(summary))
+sys.exit(4 if what == "internal error" else ended.returncode)
+"""
+
+
+class Campaign(ToolTest):
+    def campaign(self, command, *arguments, tool=TOOL, **options):
+        if command in ("run", "replay", "shrink"):
+            arguments = ["--tool", tool, *arguments]
+        return subprocess.run(
+            [sys.executable, "-B", FOLDER / "campaign.py", command, "--store", "runs.db",
+             *map(str, arguments)], cwd=self.folder, capture_output=True, encoding="utf-8",
+            timeout=300, **options)
+
+    def runs(self, columns="*"):
+        base = sqlite3.connect(self.folder / "runs.db")
+        try:
+            return base.execute(f"SELECT {columns} FROM run ORDER BY id").fetchall()
+        finally:
+            base.close()
+
+    def liar(self, what):
+        path = self.file("liar", LIAR.format(python=sys.executable, tool=TOOL, what=what))
+        path.chmod(0o755)
+        return path
+
+    def test_a_sample_of_every_family(self):
+        names = [name for name in families.FAMILIES if name != "cone"]  # too slow for a sample
+        result = self.campaign("run", "--count", len(names), "--families", ",".join(names),
+                               "--time-limit", "1", "--workers", "2", "--check-axis", "5")
+        self.expect(result, 0)
+        rows = self.runs("family, seed, outcome, betti_expected, betti, certified, exit_code, sites,"
+                         " commit_id, parameters")
+        self.assertEqual({row[0] for row in rows}, set(names))
+        outcomes = [row[2] for row in rows]
+        self.assertGreater(outcomes.count("certified"), len(names) / 2)
+        self.assertLessEqual(set(outcomes), {"certified", "undecided", "invalid"})
+        for row in rows:
+            self.assertIn("changes", json.loads(row[9]))
+            if row[2] == "certified":
+                self.assertEqual(row[3], row[4])
+                self.assertEqual((row[5], row[6]), (1, 0))
+        table = self.campaign("table")
+        self.expect(table, 0)
+        self.assertRegex(table.stdout, rf"\nall +{len(names)} ")
+
+    def test_an_interrupted_campaign_goes_on(self):
+        arguments = ["--count", "12", "--families", "boxes,gap,platonic", "--time-limit", "1",
+                     "--commit", "abc"]
+        process = subprocess.Popen(
+            [sys.executable, "-B", FOLDER / "campaign.py", "run", "--store", "runs.db", "--tool",
+             TOOL, "--verbose", *arguments], cwd=self.folder, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL, encoding="utf-8")
+        for _ in range(3):
+            process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        before = self.runs("family, seed, model_hash")
+        self.assertGreaterEqual(len(before), 3)
+        self.assertLess(len(before), 12)
+        self.expect(self.campaign("run", *arguments), 0)
+        after = self.runs("family, seed, model_hash")
+        self.assertEqual(after[:len(before)], before)
+        self.assertEqual(sorted((f, s) for f, s, _ in after),
+                         sorted((f, s) for f in ["boxes", "gap", "platonic"] for s in range(1, 5)))
+        self.assertIn("0 runs in", self.campaign("run", *arguments).stdout)
+
+    def test_defects_are_noticed(self):
+        for what, outcome, reason in [
+            ("wrong axis", "wrong", "Betti numbers of the axis"),
+            ("wrong solid", "wrong", "Betti numbers of the solid"),
+            ("not what it says", "wrong", "exit code 0, but certified: False"),
+            ("wrong radius", "wrong", "axis: "),
+            ("signal", "crash", "SIGSEGV"),
+            ("internal error", "crash", "exit code 4"),
+            ("hangs", "killed", "not ended"),
+        ]:
+            with self.subTest(what):
+                wall = ["--grace", "1"] if what == "hangs" else []
+                result = self.campaign("run", "--count", "1", "--families", "boxes", "--commit",
+                                       what, "--time-limit", "1", "--check-axis", "1", *wall,
+                                       tool=self.liar(what))
+                self.expect(result, 3)
+                found = self.runs("outcome, reason")[-1]
+                self.assertEqual(found[0], outcome)
+                self.assertTrue(found[1].startswith(reason), found)
+
+    def test_replay_and_shrink(self):
+        liar = self.liar("wrong or not")
+        self.expect(self.campaign("run", "--count", "1", "--families", "geodesic", "--commit",
+                                  "c", tool=liar), 3)
+        again = self.campaign("replay", "1", tool=liar)
+        self.expect(again, 3)
+        self.assertIn("Betti numbers of the axis", again.stdout)
+        self.expect(self.campaign("replay", "1"), 0)
+        self.expect(self.campaign("model", "1", "-o", "model.off"), 0)
+        result = self.campaign("shrink", "1", "-o", "small.off", "--seconds", "2", tool=liar)
+        self.expect(result, 0)
+        large, small = ((self.folder / name).read_text() for name in ("model.off", "small.off"))
+        self.assertLess(len(small), len(large))
+        self.assertGreater(len(small), 400)  # what the liar lies about
+        self.expect(self.blum("info", "small.off"), 0)
+
+
+class Models(unittest.TestCase):
+    """The generator's own mathematics, on solids whose answer is known."""
+
+    def test_betti_numbers(self):
+        rng = families.random.Random(1)
+        cube = thin.box((0, 0, 0), (1, 1, 1))
+        self.assertEqual(betti_numbers(cube), [1, 0, 0])
+        self.assertEqual(betti_numbers(thin.nested(rng, 5, [0.25] * 5)), [3, 0, 2])
+        self.assertEqual(betti_numbers(thin.join(cube, thin.moved(cube, (2, 0, 0)))), [2, 0, 0])
+        # An inner shell without a hole around it, an outer one in nothing, an open one, a pinched one.
+        self.assertIsNone(betti_numbers(thin.turned(cube)))
+        inner = thin.moved(thin.box((0, 0, 0), (0.5, 0.5, 0.5)), (0.25, 0.25, 0.25))
+        self.assertIsNone(betti_numbers(thin.join(cube, inner)))
+        self.assertEqual(betti_numbers(thin.join(cube, thin.turned(inner))), [1, 0, 1])
+        self.assertIsNone(betti_numbers(thin.Mesh(cube.points, cube.faces[1:])))
+        for level, genus in ((1, 5), (2, 81)):
+            n = 3**level
+            sponge = of_pattern(lambda *c: families.menger_full(level, c), [n] * 3,
+                                unit_planes([n] * 3), rng)
+            self.assertEqual(betti_numbers(sponge), [1, genus, 0])
+
+    def test_merging_and_triangulating_keep_the_solid(self):
+        rng = families.random.Random(2)
+
+        def volume_of(mesh):
+            points = integers(mesh.points)
+            return sum(volume((0, 0, 0), *t) for t in triangles(points, mesh.faces))
+
+        for seed in range(1, 6):
+            for name in ("boxes", "extrusion", "lattice", "fins"):
+                mesh, _ = families.FAMILIES[name](families.random.Random(seed))
+                for other in (merged(mesh, rng), retriangulated(mesh, rng),
+                              retriangulated(merged(mesh, rng), rng)):
+                    self.assertEqual(betti_numbers(other), betti_numbers(mesh))
+                    self.assertEqual(volume_of(other), volume_of(mesh))
+                    self.assertLessEqual(set(other.points), set(mesh.points))
+
+    def test_hulls_have_the_known_number_of_vertices(self):
+        expected = {"tetrahedron": 4, "cube": 8, "octahedron": 6, "icosahedron": 12,
+                    "dodecahedron": 20, "truncated_tetrahedron": 12, "cuboctahedron": 12,
+                    "truncated_cube": 24, "truncated_octahedron": 24, "rhombicuboctahedron": 24,
+                    "truncated_cuboctahedron": 48, "snub_cube": 24, "icosidodecahedron": 30,
+                    "truncated_dodecahedron": 60, "truncated_icosahedron": 60,
+                    "rhombicosidodecahedron": 60, "truncated_icosidodecahedron": 120}
+        for name, points in {**convex.PLATONIC, **convex.ARCHIMEDEAN}.items():
+            mesh = convex.of_points(points(), families.random.Random(1))
+            self.assertEqual(len(mesh.points), expected[name], name)
+            self.assertEqual(betti_numbers(mesh), [1, 0, 0])
+
+    def test_generating_is_a_function_of_family_and_seed(self):
+        for name in families.FAMILIES:
+            a, b = families.generate(name, 7), families.generate(name, 7)
+            self.assertEqual((a[0].off(), a[1:]), (b[0].off(), b[1:]))
+
+
+if __name__ == "__main__":
+    main()
