@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "blum/kernel/output_stream.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/medial/medial_axis.hpp"
-#include "io_stream.hpp"
 
 namespace blum::detail {
 

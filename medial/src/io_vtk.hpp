@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "blum/kernel/output_stream.hpp"
 #include "blum/kernel/point.hpp"
-#include "io_stream.hpp"
 
 namespace blum::detail {
 

@@ -1,4 +1,4 @@
-// The public writers: formats (io_formats.hpp) put into files (io_files.hpp).
+// The public writers: formats (io_formats.hpp) put into files (blum/kernel/output_files.hpp).
 
 #include <filesystem>
 #include <span>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "blum/kernel/output_files.hpp"
 #include "blum/medial/io.hpp"
-#include "io_files.hpp"
 #include "io_formats.hpp"
 
 namespace blum {

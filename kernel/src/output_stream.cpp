@@ -1,4 +1,4 @@
-#include "io_stream.hpp"
+#include "blum/kernel/output_stream.hpp"
 
 #include <unistd.h>
 

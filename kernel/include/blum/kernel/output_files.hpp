@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "blum/kernel/output_stream.hpp"
 #include "blum/kernel/result.hpp"
-#include "io_stream.hpp"
 
 namespace blum::detail {
 

@@ -1,4 +1,4 @@
-#include "io_files.hpp"
+#include "blum/kernel/output_files.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
