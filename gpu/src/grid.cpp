@@ -40,8 +40,7 @@ std::string grid_problem(const VoxelGrid& grid) {
     }
     // Samples are farthest apart, relative to their rounding, where they are smallest; so the ends
     // tell.
-    if (n > 1 &&
-        (grid.coordinate(axis, 1) <= first || last <= grid.coordinate(axis, n - 2))) {
+    if (n > 1 && (grid.coordinate(axis, 1) <= first || last <= grid.coordinate(axis, n - 2))) {
       return "neighbouring samples along " + name + " cannot be told apart";
     }
   }

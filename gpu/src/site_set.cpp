@@ -140,7 +140,8 @@ Result<SiteSet> SiteSet::build(const Soup& soup) {
     if (shape == FaceShape::kDegenerate || shape == FaceShape::kNonSimple) {
       return Error{ErrorCode::kBadArgument,
                    "a polygon meets itself or names a corner twice: it bounds no definite area",
-                   {}, f};
+                   {},
+                   f};
     }
     for (const auto& piece : pieces) set.triangles_.push_back({piece, f});
     if (pieces.size() == 1) continue;

@@ -16,10 +16,10 @@ namespace blum {
 
 /// Input as it comes: open, non-manifold, intersecting, with duplicates; nothing is assumed.
 struct Soup {
-  std::vector<Point3> points;                             ///< may hold points that nothing uses
-  std::vector<std::uint32_t> isolated;                    ///< points that are sites by themselves
-  std::vector<std::array<std::uint32_t, 2>> segments;     ///< ends may coincide
-  std::vector<std::vector<std::uint32_t>> polygons;       ///< >= 3 corners each
+  std::vector<Point3> points;                          ///< may hold points that nothing uses
+  std::vector<std::uint32_t> isolated;                 ///< points that are sites by themselves
+  std::vector<std::array<std::uint32_t, 2>> segments;  ///< ends may coincide
+  std::vector<std::vector<std::uint32_t>> polygons;    ///< >= 3 corners each
 };
 
 /// All faces of the mesh as polygons.
@@ -79,8 +79,9 @@ class SiteSet {
   [[nodiscard]] std::uint32_t element(SiteId s) const {
     const auto points = static_cast<std::uint32_t>(points_.size());
     const auto edges = static_cast<std::uint32_t>(edges_.size());
-    return s.value < points ? s.value : s.value < points + edges ? s.value - points
-                                                                 : s.value - points - edges;
+    return s.value < points           ? s.value
+           : s.value < points + edges ? s.value - points
+                                      : s.value - points - edges;
   }
   /// Bounds of the squared distance from q to a closed site, and its foot. A polygon without area
   /// is infinitely far: its sides are sites. Requires |q| <= 2^200 on every axis.
