@@ -3,53 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sample_box.hpp"
 #include "scan_block.hpp"
 #include "vector3.hpp"
 
 namespace blum::detail {
 namespace {
 
-/// centre +- half contains all samples of the node; rounding (4u of the coordinates' distance to
-/// the box's other end) is far below ScanSites::margin, which every comparison allows for.
-struct BoxOfSamples {
-  Point3 centre, half;
-  double radius = 0;
-};
-
-BoxOfSamples box_of(const CullNode& node, const VoxelGrid& grid) {
-  BoxOfSamples box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lo = grid.coordinate(axis, node.begin[axis]);
-    const double hi = grid.coordinate(axis, node.end[axis] - 1);
-    box.half[axis] = 0.5 * (hi - lo);
-    box.centre[axis] = lo + box.half[axis];
-  }
-  box.radius = length(box.half);
-  return box;
-}
-
 double square(double x) { return x * x; }
 
-/// Largest distance from a sample of the box to p.
-double farthest_squared(const BoxOfSamples& b, const Point3& p) {
-  return square(std::abs(p.x - b.centre.x) + b.half.x) +
-         (square(std::abs(p.y - b.centre.y) + b.half.y) +
-          square(std::abs(p.z - b.centre.z) + b.half.z));
-}
-
-double nearest_squared(const BoxOfSamples& b, const Point3& p) {
-  return square(std::max(0.0, std::abs(p.x - b.centre.x) - b.half.x)) +
-         (square(std::max(0.0, std::abs(p.y - b.centre.y) - b.half.y)) +
-          square(std::max(0.0, std::abs(p.z - b.centre.z) - b.half.z)));
-}
-
-double extent_along(const BoxOfSamples& b, const Point3& w) {
-  return std::abs(w.x) * b.half.x + (std::abs(w.y) * b.half.y + std::abs(w.z) * b.half.z);
-}
-
 /// Can a sample of the box satisfy all conditions?
-bool domain_meets(const BoxOfSamples& b, const ScanSite& site,
-                  std::span<const Condition> conditions, double margin) {
+bool domain_meets(const SampleBox& b, const ScanSite& site, std::span<const Condition> conditions,
+                  double margin) {
   const Point3 d = minus(b.centre, site.base);
   for (const Condition& c : conditions) {
     if (dot(c.w, d) - extent_along(b, c.w) > c.limit + margin) return false;
@@ -65,7 +30,7 @@ struct Nearness {
   bool has_point = false;
 };
 
-Nearness edge_nearness(const BoxOfSamples& b, const ScanSite& s, const ScanSites& sites) {
+Nearness edge_nearness(const SampleBox& b, const ScanSite& s, const ScanSites& sites) {
   const Point3 d = minus(b.centre, s.base);
   const double end = sites.condition[s.first + 1].limit;
   const double t = std::clamp(dot(s.unit, d), 0.0, std::max(0.0, end));
@@ -73,7 +38,7 @@ Nearness edge_nearness(const BoxOfSamples& b, const ScanSite& s, const ScanSites
   return {length(minus(b.centre, q)) - b.radius, q, true};
 }
 
-Nearness face_nearness(const BoxOfSamples& b, const ScanSite& s, const ScanSites& sites) {
+Nearness face_nearness(const SampleBox& b, const ScanSite& s, const ScanSites& sites) {
   const Point3 d = minus(b.centre, s.base);
   const double height = dot(s.unit, d);
   Nearness n;
@@ -88,9 +53,9 @@ Nearness face_nearness(const BoxOfSamples& b, const ScanSite& s, const ScanSites
 
 }  // namespace
 
-void BlockCull::filter(CullNode& node, std::span<const Sphere> parents,
-                       std::vector<Sphere>& kept, std::vector<double>& scratch) const {
-  const BoxOfSamples box = box_of(node, grid_);
+void BlockCull::filter(CullNode& node, std::span<const Sphere> parents, std::vector<Sphere>& kept,
+                       std::vector<double>& scratch) const {
+  const SampleBox box = sample_box(node.begin, node.end, grid_);
   double reach2 = square(node.reach);
   for (const Sphere& s : parents) reach2 = std::min(reach2, farthest_squared(box, s.centre));
   node.reach = std::min(node.reach, std::sqrt(reach2));

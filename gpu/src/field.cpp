@@ -35,14 +35,21 @@ DistanceInterval DistanceField::interval(std::size_t voxel) const {
           d + bound.above + bound.relative * d};
 }
 
+std::string options_problem(const FieldOptions& options) {
+  if (!(options.band >= 0)) return "the band is no distance";
+  if (options.threads < 1) return "fewer than one thread";
+  return {};
+}
+
 Result<DistanceField> compute_field(const SiteSet& sites, const VoxelGrid& grid,
                                     const FieldOptions& options) {
   const auto bad = [](std::string what) {
     return Error{ErrorCode::kBadArgument, std::move(what), {}, {}};
   };
   if (std::string problem = grid_problem(grid); !problem.empty()) return bad(std::move(problem));
-  if (!(options.band >= 0)) return bad("the band is no distance");
-  if (options.threads < 1) return bad("fewer than one thread");
+  if (std::string problem = options_problem(options); !problem.empty()) {
+    return bad(std::move(problem));
+  }
   DistanceField field;
   field.grid = grid;
   field.band = options.band;

@@ -20,8 +20,9 @@ struct Block {
   alignas(64) double owner[kBlock * kBlock * kBlock];
 };
 
-/// Takes the sites in the order of the list, which is that of ranks; a later one wins only if it is strictly nearer. The
-/// result is the same whatever instructions the processor has: no fused operations.
+/// Takes the sites in the order of the list, which is that of ranks; a later one wins only if it is
+/// strictly nearer. The result is the same whatever instructions the processor has: no fused
+/// operations.
 void scan_block(Block& block, const ScanSites& sites, std::span<const Sphere> list);
 
 }  // namespace blum::detail

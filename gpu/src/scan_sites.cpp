@@ -145,7 +145,8 @@ class Builder {
     const Point3 &a = point(ends[0]), &b = point(ends[1]);
     const Point3 along = minus(b, a);
     const Point3 middle = {a.x + 0.5 * along.x, a.y + 0.5 * along.y, a.z + 0.5 * along.z};
-    ScanSite& s = begin_site(SiteKind::kEdge, id, a, {middle, sphere_radius(middle, {a, b, b}), 0, 0});
+    ScanSite& s =
+        begin_site(SiteKind::kEdge, id, a, {middle, sphere_radius(middle, {a, b, b}), 0, 0});
     const Point3 u = unit(along);
     s.unit = u;
     add_condition(scaled(-1, u), -contraction_);

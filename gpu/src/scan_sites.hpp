@@ -35,8 +35,8 @@ struct ScanSite {
   SiteKind shape = SiteKind::kVertex;  ///< of the carrier: a polygon's diagonals are edges
 };
 
-/// A sphere around a site, and the site's place in ScanSites::site: lists are made of these, so that
-/// most sites are left out without being looked at.
+/// A sphere around a site, and the site's place in ScanSites::site: lists are made of these, so
+/// that most sites are left out without being looked at.
 struct Sphere {
   Point3 centre;  ///< a point of the site
   double radius = 0;

@@ -117,14 +117,26 @@ Result<SiteSet> SiteSet::build(const Soup& soup) {
       kNoSite.value / 4) {
     return Error{ErrorCode::kBadArgument, "more sites than ids", {}, {}};
   }
-  for (const std::uint32_t v : soup.isolated) set.used_[v] = 1;
+  const auto end_primitive = [&] {
+    set.piece_begin_.push_back(static_cast<std::uint32_t>(set.pieces_.size()));
+  };
+  end_primitive();
+  for (const std::uint32_t v : soup.isolated) {
+    set.used_[v] = 1;
+    set.pieces_.push_back({v, v, v});
+    end_primitive();
+  }
 
   EdgeNumbers edges;
   const auto add_edge = [&](std::uint32_t a, std::uint32_t b) {
     set.used_[a] = set.used_[b] = 1;
     if (set.points_[a] != set.points_[b]) edges.add(a, b);
   };
-  for (const Pair& segment : soup.segments) add_edge(segment[0], segment[1]);
+  for (const Pair& segment : soup.segments) {
+    add_edge(segment[0], segment[1]);
+    set.pieces_.push_back({segment[0], segment[1], segment[1]});
+    end_primitive();
+  }
   std::vector<std::array<std::uint32_t, 3>> pieces;
   std::vector<Pair> inner;
   for (std::uint32_t f = 0; f < set.polygons_; ++f) {
@@ -134,7 +146,14 @@ Result<SiteSet> SiteSet::build(const Soup& soup) {
       add_edge(polygon[k], polygon[(k + 1) % polygon.size()]);
     }
     const std::vector<std::uint32_t> corners = distinct_corners(set.points_, polygon);
-    if (corners.size() < 3 || in_one_line(set.points_, corners)) continue;
+    if (corners.size() < 3 || in_one_line(set.points_, corners)) {
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const std::uint32_t next = polygon[(k + 1) % polygon.size()];
+        set.pieces_.push_back({polygon[k], next, next});
+      }
+      end_primitive();
+      continue;
+    }
     pieces.clear();
     const FaceShape shape = triangulate_face(set.points_, corners, pieces);
     if (shape == FaceShape::kDegenerate || shape == FaceShape::kNonSimple) {
@@ -144,6 +163,8 @@ Result<SiteSet> SiteSet::build(const Soup& soup) {
                    f};
     }
     for (const auto& piece : pieces) set.triangles_.push_back({piece, f});
+    set.pieces_.insert(set.pieces_.end(), pieces.begin(), pieces.end());
+    end_primitive();
     if (pieces.size() == 1) continue;
     // A diagonal is what two pieces share.
     inner.clear();
@@ -173,6 +194,18 @@ Result<SiteSet> SiteSet::build(const Soup& soup) {
   return set;
 }
 
+SquaredDistanceBounds SiteSet::primitive_squared_distance(const Point3& q,
+                                                          std::uint32_t primitive) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  SquaredDistanceBounds best{kInfinity, kInfinity};
+  for (const auto& v : pieces(primitive)) {
+    const SquaredDistanceBounds d =
+        squared_distance_to_triangle(q, {points_[v[0]], points_[v[1]], points_[v[2]]});
+    best = {std::min(best.lo, d.lo), std::min(best.hi, d.hi)};
+  }
+  return best;
+}
+
 SquaredDistanceBounds SiteSet::squared_distance(const Point3& q, SiteId s, Point3* foot) const {
   const std::uint32_t i = element(s);
   if (kind(s) == SiteKind::kVertex) {
@@ -184,8 +217,8 @@ SquaredDistanceBounds SiteSet::squared_distance(const Point3& q, SiteId s, Point
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   SquaredDistanceBounds best{kInfinity, kInfinity};
-  for (std::uint32_t t = triangle_begin_[i]; t < triangle_begin_[i + 1]; ++t) {
-    const auto& v = triangles_[t].point;
+  for (const Triangle& t : triangles_of(i)) {
+    const auto& v = t.point;
     Point3 y;
     const SquaredDistanceBounds d =
         squared_distance_to_triangle(q, {points_[v[0]], points_[v[1]], points_[v[2]]}, &y);

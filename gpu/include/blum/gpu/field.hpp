@@ -36,6 +36,9 @@ struct FieldOptions {
   std::function<bool(double)> on_progress;
 };
 
+/// What compute_field refuses of the options; empty if nothing.
+[[nodiscard]] std::string options_problem(const FieldOptions& options);
+
 /// An enclosure of a distance (model units).
 struct DistanceInterval {
   double lo = 0, hi = 0;

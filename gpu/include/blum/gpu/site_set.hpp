@@ -57,6 +57,10 @@ class SiteSet {
   [[nodiscard]] bool is_used(std::uint32_t point) const { return used_[point] != 0; }
   [[nodiscard]] std::span<const std::array<std::uint32_t, 2>> edges() const { return edges_; }
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] std::span<const Triangle> triangles_of(std::uint32_t polygon) const {
+    return triangles().subspan(triangle_begin_[polygon],
+                               triangle_begin_[polygon + 1] - triangle_begin_[polygon]);
+  }
   [[nodiscard]] std::span<const Diagonal> diagonals() const { return diagonals_; }
   [[nodiscard]] std::uint32_t polygons() const { return polygons_; }
 
@@ -87,6 +91,18 @@ class SiteSet {
   /// is infinitely far: its sides are sites. Requires |q| <= 2^200 on every axis.
   [[nodiscard]] SquaredDistanceBounds squared_distance(const Point3& q, SiteId s,
                                                        Point3* foot = nullptr) const;
+  /// The input's parts as closed sets, numbered: isolated points, segments, polygons.
+  [[nodiscard]] std::uint32_t primitives() const {
+    return static_cast<std::uint32_t>(piece_begin_.size() - 1);
+  }
+  /// A primitive as triangles, of which corners may coincide.
+  [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> pieces(
+      std::uint32_t primitive) const {
+    return std::span(pieces_).subspan(piece_begin_[primitive],
+                                      piece_begin_[primitive + 1] - piece_begin_[primitive]);
+  }
+  [[nodiscard]] SquaredDistanceBounds primitive_squared_distance(const Point3& q,
+                                                                 std::uint32_t primitive) const;
   /// Of the points that are used.
   [[nodiscard]] const Box3& box() const { return box_; }
 
@@ -97,6 +113,8 @@ class SiteSet {
   std::vector<Triangle> triangles_;  // by polygon
   std::vector<std::uint32_t> triangle_begin_;
   std::vector<Diagonal> diagonals_;
+  std::vector<std::array<std::uint32_t, 3>> pieces_;
+  std::vector<std::uint32_t> piece_begin_;
   std::uint32_t polygons_ = 0;
   Box3 box_;
 };
