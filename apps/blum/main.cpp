@@ -15,6 +15,7 @@ constexpr const char* kFooter = R"(Examples:
   blum info plate.off                     is it a solid? what kind of?
   blum medial plate.off -o out/plate      out/plate.ma, .vtp, .obj: the medial axis
   blum medial plate.off --resolve --summary plate.json
+  blum field plate.off --resolution 128 --signed -o plate.vti
 
 Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
 4 internal error, 5 output could not be written, 130 and 143 interrupted.)";
@@ -26,7 +27,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
-                medial = add_medial_command(app);
+                medial = add_medial_command(app), field = add_field_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   catch_signals();
   if (app.got_subcommand("info")) return info();
   if (app.got_subcommand("make")) return make();
+  if (app.got_subcommand("field")) return field();
   return medial();
 }
 

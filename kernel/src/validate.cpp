@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "blum/kernel/triangulate.hpp"
 #include "blum/kernel/union_find.hpp"
-#include "mesh_triangulate.hpp"
 #include "validate_surface.hpp"
 
 namespace blum {

@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/parallel.hpp"
 #include "blum/kernel/union_find.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
-#include "blum/subdivision/parallel.hpp"
 #include "locate.hpp"
 
 namespace blum {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "io_formats.hpp"
-#include "io_vtk.hpp"
+#include "blum/kernel/vtk_xml.hpp"
 
 namespace blum::detail {
 namespace {

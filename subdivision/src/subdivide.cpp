@@ -5,8 +5,8 @@
 #include <mutex>
 #include <optional>
 
+#include "blum/kernel/parallel.hpp"
 #include "blum/subdivision/engine_set.hpp"
-#include "blum/subdivision/parallel.hpp"
 #include "cell_work.hpp"
 
 namespace blum {

@@ -1,4 +1,4 @@
-#include "blum/subdivision/parallel.hpp"
+#include "blum/kernel/parallel.hpp"
 
 #include <flint/flint.h>
 

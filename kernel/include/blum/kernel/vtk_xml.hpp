@@ -1,4 +1,4 @@
-/// Parts of VTK XML PolyData files with inline uncompressed binary arrays: each is one base64 run
+/// Parts of VTK XML files (PolyData, ImageData) with inline uncompressed binary arrays: each is one base64 run
 /// of its length in bytes (UInt64) and its values, in the byte order named in the header.
 #pragma once
 
@@ -21,6 +21,9 @@ namespace blum::detail {
              : "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
                "byte_order=\"BigEndian\" header_type=\"UInt64\">\n<PolyData>\n";
 }
+[[nodiscard]] constexpr std::string_view vtk_byte_order() {
+  return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+}
 inline constexpr std::string_view kVtpTail = "</PolyData>\n</VTKFile>\n";
 
 template <class T>
@@ -29,6 +32,7 @@ constexpr std::string_view vtk_type() {
   if constexpr (std::same_as<T, std::int64_t>) return "Int64";
   if constexpr (std::same_as<T, std::uint64_t>) return "UInt64";
   if constexpr (std::same_as<T, std::int32_t>) return "Int32";
+  if constexpr (std::same_as<T, std::uint32_t>) return "UInt32";
   if constexpr (std::same_as<T, std::uint8_t>) return "UInt8";
 }
 

@@ -1,4 +1,4 @@
-#include "mesh_triangulate.hpp"
+#include "blum/kernel/triangulate.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,0 +1,135 @@
+#include "field_arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+#include "blum/gpu/field_io.hpp"
+#include "commands.hpp"
+
+namespace blum::app {
+
+void add_field_options(CLI::App& command, FieldArguments& arguments) {
+  FieldOptions& options = arguments.options;
+  command.add_option("MODEL", arguments.model, "OFF, OBJ, STL or PLY; any surface, open or not")
+      ->required();
+  command
+      .add_option("--resolution", arguments.resolution,
+                  "N voxels along the longest side (cubes), or NX,NY,NZ")
+      ->delimiter(',')
+      ->expected(1, 3)
+      ->check(kDigits)
+      ->required();
+  command
+      .add_option("--box", arguments.box,
+                  "X0,Y0,Z0,X1,Y1,Z1 (default: the model's box and a tenth more on every side)")
+      ->delimiter(',')
+      ->expected(6);
+  command.add_option("--band", options.band,
+                     "Only samples within this distance of the surface; others get none");
+  command
+      .add_option("--order", arguments.order,
+                  "The K nearest faces of each sample, instead of the nearest vertex, edge or face")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command.add_flag("--signed", arguments.is_signed,
+                   "Negative inside, exactly; the mesh must bound a solid");
+  command.add_option("--backend", options.backend, "auto (cpu), cpu, or brute: slow and simple")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, FieldBackend>{{"auto", FieldBackend::kCpu},
+                                              {"cpu", FieldBackend::kCpu},
+                                              {"brute", FieldBackend::kBrute}}))
+      ->default_str("auto");
+  command.add_option("-o,--output", arguments.output, "FILE.vti, FILE.nrrd or FILE.npy");
+  command.add_option("--slice", arguments.slice, "Write a slice as a picture to this PNG file");
+  command.add_option("--slice-axis", arguments.slice_axis, "The slice's axis: x, y or z")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}}))
+      ->default_str("z");
+  command.add_option("--slice-index", arguments.slice_index, "The slice (default: the middle one)")
+      ->check(kDigits);
+  command.add_flag("--dry-run", arguments.is_dry_run,
+                   "Print grid, sites and memory, and compute nothing");
+  options.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 1024);
+  command
+      .add_option("--threads", options.threads,
+                  "The result does not depend on it (default: the number of cores)")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.footer(R"(The distance of every sample is within the bound that is printed.
+.vti files hold distances, site ids and sides; .nrrd and .npy distances alone (FILE.npy.json says
+where the samples are). Ids: vertices as in the file, then edges, then faces.
+
+Examples:
+  blum field part.stl --resolution 128 -o part.vti
+  blum field part.stl --resolution 256 --signed --band 0.5 -o part.nrrd
+  blum field scan.ply --resolution 200,100,50 --box 0,0,0,4,2,1 -o scan.npy
+  blum field part.stl --resolution 64 --order 3 -o nearest3.vti
+  blum field part.stl --resolution 256 --signed --slice part.png --slice-axis x
+  blum field part.stl --resolution 1024 --dry-run)");
+}
+
+std::string arguments_problem(const FieldArguments& a) {
+  namespace fs = std::filesystem;
+  if (a.resolution.size() == 2) return "--resolution: one number or three";
+  if (std::ranges::find(a.resolution, 0u) != a.resolution.end()) return "--resolution: 0";
+  if (!(a.options.band >= 0)) return "--band: not a distance";
+  if (a.order > 1 && a.is_signed) return "--order and --signed exclude each other";
+  if (a.output.empty() && a.slice.empty() && !a.is_dry_run) {
+    return "nothing to write: give -o FILE, --slice FILE or --dry-run";
+  }
+  if (!a.output.empty() && field_files(a.output).empty()) {
+    return "--output: not .vti, .nrrd or .npy: " + a.output;
+  }
+  std::vector<fs::path> files = field_files(a.output);
+  if (!a.slice.empty()) files.emplace_back(a.slice);
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (fs::equivalent(file, a.model, ignored)) return "the model would be overwritten";
+  }
+  const std::uint32_t n =
+      a.resolution.size() == 3 ? a.resolution[static_cast<std::size_t>(a.slice_axis)] : 0;
+  if (n > 0 && a.slice_index && *a.slice_index >= n) return "--slice-index: beyond the grid";
+  return {};
+}
+
+Result<VoxelGrid> grid_of(const FieldArguments& a, const Box3& model) {
+  Box3 box = model;
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, model.hi[axis] - model.lo[axis]);
+  if (!a.box.empty()) {
+    box = {{a.box[0], a.box[1], a.box[2]}, {a.box[3], a.box[4], a.box[5]}};
+  } else {
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lo[axis] -= 0.1 * longest;
+      box.hi[axis] += 0.1 * longest;
+    }
+  }
+  std::array<std::uint32_t, 3> size{};
+  const bool is_solid = box.lo.x < box.hi.x && box.lo.y < box.hi.y && box.lo.z < box.hi.z;
+  if (a.resolution.size() == 3 || !is_solid) {
+    size.fill(a.resolution[0]);  // make_grid says what is wrong with the box
+    std::ranges::copy(a.resolution, size.begin());
+  } else {
+    // Cubes: the other sides are widened to whole numbers of them.
+    double side = 0;
+    for (int axis = 0; axis < 3; ++axis) side = std::max(side, box.hi[axis] - box.lo[axis]);
+    const double cube = side / a.resolution[0];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double extent = box.hi[axis] - box.lo[axis];
+      const double whole = std::clamp(std::ceil(extent / cube * (1 - 1e-12)), 1.0, 0x1p21);
+      size[axis] = static_cast<std::uint32_t>(whole);
+      const double more = std::max(0.0, 0.5 * (whole * cube - extent));
+      box.lo[axis] -= more;
+      box.hi[axis] += more;
+    }
+  }
+  Result<VoxelGrid> grid = make_grid(box, size);
+  if (grid && a.slice_index && *a.slice_index >= size[static_cast<std::size_t>(a.slice_axis)]) {
+    return Error{ErrorCode::kBadArgument, "--slice-index: beyond the grid", {}, {}};
+  }
+  return grid;
+}
+
+}  // namespace blum::app

@@ -1,0 +1,34 @@
+/// The command line of `blum field`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blum/gpu/field.hpp"
+
+namespace blum::app {
+
+struct FieldArguments {
+  std::string model, output, slice;
+  std::vector<std::uint32_t> resolution;  // one number (along the longest side), or three
+  std::vector<double> box;                // six numbers, or none
+  std::uint32_t order = 1;
+  bool is_signed = false, is_dry_run = false;
+  int slice_axis = 2;
+  std::optional<std::uint32_t> slice_index;
+  FieldOptions options;
+};
+
+void add_field_options(CLI::App& command, FieldArguments& arguments);
+
+/// What is wrong with the command line, beyond what CLI11 finds; empty if nothing.
+[[nodiscard]] std::string arguments_problem(const FieldArguments& arguments);
+
+/// The grid asked for: the given box, or the model's with a tenth more on every side.
+[[nodiscard]] Result<VoxelGrid> grid_of(const FieldArguments& arguments, const Box3& model);
+
+}  // namespace blum::app

@@ -1,0 +1,218 @@
+// `blum field`: the discrete Voronoi diagram and distance field of a mesh, as files.
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <thread>
+
+#include "blum/gpu/field.hpp"
+#include "blum/gpu/field_io.hpp"
+#include "blum/gpu/nearest_sites.hpp"
+#include "blum/gpu/sides.hpp"
+#include "blum/kernel/mesh.hpp"
+#include "blum/kernel/solid.hpp"
+#include "blum/kernel/validate.hpp"
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "field_arguments.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "slice_picture.hpp"
+
+namespace blum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Everything a run has computed.
+struct FieldOutcome {
+  DistanceField field;
+  NearestSites nearest;
+  FieldSides sides;
+  std::vector<double> signed_distance;
+};
+
+std::string mib(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
+
+std::uint64_t available_bytes() {
+  return static_cast<std::uint64_t>(sysconf(_SC_AVPHYS_PAGES)) *
+         static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+std::uint64_t needed_bytes(const FieldArguments& arguments, const SiteSet& sites,
+                           const VoxelGrid& grid) {
+  if (arguments.order > 1) return (12 * arguments.order) * grid.voxels() + 400 * sites.size();
+  return field_memory_bytes(sites, grid, arguments.options) +
+         (arguments.is_signed ? 9 * grid.voxels() : 0);
+}
+
+/// Says what fits if this does not.
+std::optional<Error> memory_problem(std::uint64_t needed, const VoxelGrid& grid) {
+  const std::uint64_t available = available_bytes();
+  if (needed <= available) return std::nullopt;
+  const double part = std::cbrt(0.9 * static_cast<double>(available) / static_cast<double>(needed));
+  std::string fits;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto n = static_cast<std::uint32_t>(part * grid.size[axis]);
+    fits += (axis > 0 ? "," : "") + std::to_string(std::max(1u, n));
+  }
+  return Error{ErrorCode::kBadArgument,
+               "the grid needs about " + mib(needed) + ", " + mib(available) +
+                   " are free; --resolution " + fits + " would fit",
+               {},
+               {}};
+}
+
+class FieldProgress {
+ public:
+  bool show(double part) {
+    if (is_on_) {
+      const int percent = static_cast<int>(100 * part);
+      std::string text = "\r" + std::to_string(percent) + " %\033[K";
+      if (percent == 100) text = "\r\033[K";
+      (void)!write(STDERR_FILENO, text.data(), text.size());
+    }
+    return interrupted_by() == 0;
+  }
+
+ private:
+  bool is_on_ = isatty(STDERR_FILENO) == 1;
+};
+
+void print_plan(const SiteSet& sites, const VoxelGrid& grid, const FieldArguments& arguments) {
+  std::size_t used = 0;
+  for (std::uint32_t v = 0; v < sites.points().size(); ++v) used += sites.is_used(v);
+  std::cout << "sites:    " << used << " vertices, " << sites.edges().size() << " edges, "
+            << sites.polygons() << " faces\n"
+            << "grid:     " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
+            << ", first sample " << text(grid.origin) << ", spacing " << text(grid.spacing) << '\n'
+            << "backend:  " << field_backend_name(arguments.options.backend) << ", "
+            << arguments.options.threads << " threads\n"
+            << "memory:   about " << mib(needed_bytes(arguments, sites, grid)) << '\n';
+}
+
+Result<FieldOutcome> compute(const FieldArguments& arguments, const SiteSet& sites,
+                             const VoxelGrid& grid, const Result<Solid>* solid) {
+  FieldOutcome out;
+  if (arguments.order > 1) {
+    Result<NearestSites> nearest = nearest_sites(sites, grid, arguments.order, arguments.options);
+    if (!nearest) return nearest.error();
+    out.nearest = std::move(nearest).value();
+    return out;
+  }
+  Result<DistanceField> field = compute_field(sites, grid, arguments.options);
+  if (!field) return field.error();
+  out.field = std::move(field).value();
+  if (solid == nullptr) return out;
+  out.sides = sides_of(*solid, out.field, arguments.options.threads);
+  out.signed_distance.resize(grid.voxels());
+  for (std::size_t v = 0; v < grid.voxels(); ++v) {
+    out.signed_distance[v] = signed_distance(out.field, out.sides, v);
+  }
+  return out;
+}
+
+FieldImage image_of(const FieldOutcome& o, const VoxelGrid& grid, std::uint32_t order) {
+  if (order > 1) return {grid, order, o.nearest.distance, o.nearest.site, {}};
+  const bool is_signed = !o.signed_distance.empty();
+  return {grid, 1, is_signed ? o.signed_distance : o.field.distance, o.field.site, o.sides.side};
+}
+
+void print_result(const FieldOutcome& o, std::uint32_t order, double seconds) {
+  const FieldBound& bound = order > 1 ? o.nearest.bound : o.field.bound;
+  std::cout << "bound:    computed - " << number(bound.below) << " <= distance <= computed + "
+            << number(bound.above) << ", and " << number(bound.relative) << " relative\n";
+  const FieldStatistics& s = o.field.statistics;
+  if (s.blocks > 0) {
+    const auto voxels = static_cast<double>(o.field.site.size());
+    std::cout << "work:     " << number(static_cast<double>(s.fragments) / voxels)
+              << " evaluations a voxel; " << s.blocks << " blocks with "
+              << number(static_cast<double>(s.block_sites) / static_cast<double>(s.blocks))
+              << " sites each, of which "
+              << number(static_cast<double>(s.owner_sites) / static_cast<double>(s.blocks))
+              << " own a sample\n";
+  }
+  if (!o.sides.side.empty()) {
+    std::cout << "sides:    " << o.sides.exact_tests << " samples by the exact test\n";
+  }
+  std::cout << "time:     " << number(std::round(1000 * seconds) / 1000) << " s\n";
+}
+
+int run_field(const FieldArguments& arguments) {
+  if (const std::string problem = arguments_problem(arguments); !problem.empty()) {
+    return report_usage(problem);
+  }
+  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  if (!mesh) return report(mesh.error());
+  const Result<SiteSet> sites = SiteSet::build(soup_of(mesh.value()));
+  if (!sites) {
+    Error error = sites.error();
+    error.file = arguments.model;
+    report(error);
+    return kInput;
+  }
+  const Result<VoxelGrid> grid = grid_of(arguments, sites.value().box());
+  if (!grid) return report(grid.error());
+  std::optional<Result<Solid>> solid;
+  if (arguments.is_signed) {
+    solid.emplace(build_solid(mesh.value()));
+    if (!*solid) return report_invalid(arguments.model, validate_mesh(mesh.value()));
+  }
+  print_plan(sites.value(), grid.value(), arguments);
+  if (const auto problem =
+          memory_problem(needed_bytes(arguments, sites.value(), grid.value()), grid.value())) {
+    report(*problem);
+    return kInput;
+  }
+  if (arguments.is_dry_run) return kSuccess;
+
+  const DeferInterrupts deferred;
+  const auto start = std::chrono::steady_clock::now();
+  FieldProgress progress;
+  FieldArguments with_progress = arguments;
+  with_progress.options.on_progress = [&](double part) { return progress.show(part); };
+  const Result<FieldOutcome> outcome =
+      compute(with_progress, sites.value(), grid.value(), solid ? &*solid : nullptr);
+  if (interrupted_by() != 0) {
+    std::cerr << "blum: interrupted\n";
+    return kSignalBase + interrupted_by();
+  }
+  if (!outcome) return report(outcome.error());
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  print_result(outcome.value(), arguments.order, time.count());
+
+  const FieldImage image = image_of(outcome.value(), grid.value(), arguments.order);
+  if (!arguments.output.empty()) {
+    if (const auto error = write_field(image, arguments.output)) return report(*error);
+    for (const fs::path& file : field_files(arguments.output)) {
+      std::cout << "wrote " << file.string() << '\n';
+    }
+  }
+  if (!arguments.slice.empty()) {
+    const std::uint32_t middle = grid.value().size[arguments.slice_axis] / 2;
+    const std::uint32_t index = arguments.slice_index.value_or(middle);
+    if (const auto error = write_slice(image, arguments.slice_axis, index, arguments.slice)) {
+      return report(*error);
+    }
+    std::cout << "wrote " << arguments.slice << '\n';
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_field_command(CLI::App& app) {
+  CLI::App* field = app.add_subcommand(
+      "field", "Compute the distance field and discrete Voronoi diagram of a mesh");
+  const auto arguments = std::make_shared<FieldArguments>();
+  add_field_options(*field, *arguments);
+  return [arguments] { return run_field(*arguments); };
+}
+
+}  // namespace blum::app

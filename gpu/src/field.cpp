@@ -1,0 +1,80 @@
+#include "blum/gpu/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scan_field.hpp"
+
+namespace blum {
+
+const char* field_backend_name(FieldBackend backend) {
+  switch (backend) {
+    case FieldBackend::kCpu:
+      return "cpu";
+    case FieldBackend::kBrute:
+      return "brute";
+  }
+  return "";
+}
+
+FieldStatistics& FieldStatistics::operator+=(const FieldStatistics& o) {
+  blocks += o.blocks;
+  block_sites += o.block_sites;
+  owner_sites += o.owner_sites;
+  fragments += o.fragments;
+  tree_tests += o.tree_tests;
+  return *this;
+}
+
+DistanceInterval DistanceField::interval(std::size_t voxel) const {
+  const double d = distance[voxel];
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // The sums err by less than `relative`, which has that much to spare.
+  if (d == kInfinity) return {std::max(0.0, band - bound.below - bound.relative * band), kInfinity};
+  return {std::max(0.0, d - bound.below - bound.relative * d),
+          d + bound.above + bound.relative * d};
+}
+
+std::string options_problem(const FieldOptions& options) {
+  if (!(options.band >= 0)) return "the band is no distance";
+  if (options.threads < 1) return "fewer than one thread";
+  return {};
+}
+
+Result<DistanceField> compute_field(const SiteSet& sites, const VoxelGrid& grid,
+                                    const FieldOptions& options) {
+  const auto bad = [](std::string what) {
+    return Error{ErrorCode::kBadArgument, std::move(what), {}, {}};
+  };
+  if (std::string problem = grid_problem(grid); !problem.empty()) return bad(std::move(problem));
+  if (std::string problem = options_problem(options); !problem.empty()) {
+    return bad(std::move(problem));
+  }
+  DistanceField field;
+  field.grid = grid;
+  field.band = options.band;
+  field.backend = options.backend;
+  field.site.assign(grid.voxels(), kNoSite.value);
+  field.distance.assign(grid.voxels(), std::numeric_limits<double>::infinity());
+  const bool is_done = options.backend == FieldBackend::kBrute
+                           ? detail::brute_field(sites, options, field)
+                           : detail::scan_field(sites, options, field);
+  if (!is_done) return Error{ErrorCode::kInterrupted, "interrupted", {}, {}};
+  return field;
+}
+
+Point3 foot_at(const SiteSet& sites, const DistanceField& field, std::size_t voxel) {
+  Point3 foot;
+  (void)sites.squared_distance(field.grid.point(voxel), field.site_at(voxel), &foot);
+  return foot;
+}
+
+std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
+                                 const FieldOptions& options) {
+  // Per voxel an id and a distance. Per site a record, its conditions, its place in the lists of
+  // the tasks (which overlap by about a half) and in the tables that the records are made from.
+  const std::uint64_t per_site = options.backend == FieldBackend::kBrute ? 16 : 400;
+  return 12 * grid.voxels() + per_site * sites.size();
+}
+
+}  // namespace blum

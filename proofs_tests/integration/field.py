@@ -1,0 +1,218 @@
+"""`blum field`: files that kept readers read back, pictures, plans, and clear errors."""
+
+import json
+import math
+import shutil
+import struct
+import subprocess
+import unittest
+import zlib
+
+from tool import SHARED_MODELS, ToolTest, main
+
+
+def python_with(*modules):
+    """A Python that has the modules (Debian's has its packages), or None."""
+    for program in ["python3", "/usr/bin/python3"]:
+        path = shutil.which(program)
+        imports = "import " + ", ".join(modules)
+        if path and subprocess.run([path, "-c", imports], capture_output=True).returncode == 0:
+            return path
+    return None
+
+
+def run_reader(modules, program, *arguments):
+    python = python_with(*modules)
+    if python is None:
+        raise unittest.SkipTest("no Python with " + " and ".join(modules))
+    return json.loads(subprocess.run([python, "-c", program, *map(str, arguments)], check=True,
+                                     capture_output=True, encoding="utf-8", timeout=300).stdout)
+
+
+READ_VTI = """
+import json, sys
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+reader = vtkXMLImageDataReader()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+image = reader.GetOutput()
+data = image.GetPointData()
+array = lambda name: data.GetArray(name)
+values = lambda name: [array(name).GetTuple1(i) for i in range(array(name).GetNumberOfTuples())]
+print(json.dumps({"size": image.GetDimensions(), "origin": image.GetOrigin(),
+                  "spacing": image.GetSpacing(), "distance": values("distance"),
+                  "site": values("site"), "side": values("side") if array("side") else []}))
+"""
+READ_NRRD = """
+import json, sys
+from vtkmodules.vtkIOImage import vtkNrrdReader
+reader = vtkNrrdReader()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+image = reader.GetOutput()
+data = image.GetPointData().GetScalars()
+print(json.dumps({"size": image.GetDimensions(), "origin": image.GetOrigin(),
+                  "spacing": image.GetSpacing(), "type": image.GetScalarTypeAsString(),
+                  "distance": [data.GetTuple1(i) for i in range(data.GetNumberOfTuples())]}))
+"""
+READ_NPY = """
+import json, sys
+import numpy
+a = numpy.load(sys.argv[1])
+print(json.dumps({"shape": a.shape, "type": str(a.dtype), "distance": a.flatten().tolist()}))
+"""
+
+
+class Field(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.expect(self.blum("make", "cuboid", 1, 2, 3, "-o", "box.off"), 0)
+
+    GRID = ["--resolution", "5,4,3", "--box", "-0.3,-1,-1,1.7,3,4"]
+    ORIGIN = [-0.3 + 0.5 * (2.0 / 5), -1 + 0.5 * (4 / 4), -1 + 0.5 * (5 / 3)]
+    SPACING = [(1.7 + 0.3) / 5, 1, 5 / 3]
+
+    def distances(self):
+        """Signed, by the formula for a box, x fastest."""
+        out = []
+        for k in range(3):
+            for j in range(4):
+                for i in range(5):
+                    p = [o + n * s for o, n, s in zip(self.ORIGIN, (i, j, k), self.SPACING)]
+                    beyond = [max(-x, x - e) for x, e in zip(p, (1, 2, 3))]
+                    out.append(max(beyond) if max(beyond) <= 0 else
+                               math.hypot(*[max(0, b) for b in beyond]))
+        return out
+
+    def expect_close(self, values, expected):
+        self.assertEqual(len(values), len(expected))
+        for a, b in zip(values, expected):
+            self.assertAlmostEqual(a, b, delta=1e-12)
+
+    def test_vti_survives_the_round_trip(self):
+        self.expect(self.blum("field", "box.off", *self.GRID, "--signed", "-o", "box.vti"), 0)
+        read = run_reader(["vtkmodules.vtkIOXML"], READ_VTI, self.folder / "box.vti")
+        self.assertEqual(read["size"], [5, 4, 3])
+        self.assertEqual(read["origin"], self.ORIGIN)
+        self.assertEqual(read["spacing"], self.SPACING)
+        self.expect_close(read["distance"], self.distances())
+        self.assertEqual(read["side"], [int(d < 0) for d in self.distances()])
+        self.assertLess(max(read["site"]), 8 + 12 + 6)
+
+    def test_nrrd_survives_the_round_trip(self):
+        # VTK takes a first axis of less than ten for components: a grid larger along x.
+        grid = ["--resolution", "20,4,3", "--box", "-1,-1,-1,4,3,5"]
+        self.expect(self.blum("field", "box.off", *grid, "-o", "box.nrrd"), 0)
+        self.expect(self.blum("field", "box.off", *grid, "-o", "box.vti"), 0)
+        read = run_reader(["vtkmodules.vtkIOImage"], READ_NRRD, self.folder / "box.nrrd")
+        self.assertEqual(read["size"], [20, 4, 3])
+        self.assertEqual(read["origin"], [-0.875, -0.5, 0])
+        self.assertEqual(read["spacing"], [0.25, 1, 2])
+        self.assertEqual(read["type"], "double")
+        vti = run_reader(["vtkmodules.vtkIOXML"], READ_VTI, self.folder / "box.vti")
+        self.assertEqual(read["distance"], vti["distance"])
+
+    def test_npy_survives_the_round_trip(self):
+        self.expect(self.blum("field", "box.off", *self.GRID, "-o", "box.npy"), 0)
+        geometry = json.loads((self.folder / "box.npy.json").read_text())
+        self.assertEqual(geometry, {"size": [5, 4, 3], "origin": self.ORIGIN,
+                                    "spacing": self.SPACING, "order": 1})
+        read = run_reader(["numpy"], READ_NPY, self.folder / "box.npy")
+        self.assertEqual(read["shape"], [3, 4, 5])
+        self.assertEqual(read["type"], "float64")
+        self.expect_close(read["distance"], [abs(d) for d in self.distances()])
+
+    def test_npy_and_nrrd_hold_the_same_bytes(self):
+        """Without any reader: the raw values at the end of the files."""
+        for name in ["box.npy", "box.nrrd"]:
+            self.expect(self.blum("field", "box.off", *self.GRID, "-o", name), 0)
+        count = 5 * 4 * 3
+        npy, nrrd = [(self.folder / name).read_bytes()[-8 * count:]
+                     for name in ["box.npy", "box.nrrd"]]
+        self.assertEqual(npy, nrrd)
+        self.expect_close(struct.unpack(f"<{count}d", npy), [abs(d) for d in self.distances()])
+
+    def test_files_do_not_depend_on_threads_or_backend(self):
+        for name, options in [("a", ["--threads", "1"]), ("b", ["--threads", "5"])]:
+            self.expect(self.blum("field", "box.off", "--resolution", 24, "--signed", *options,
+                                  "-o", name + ".vti"), 0)
+        self.assertEqual((self.folder / "a.vti").read_bytes(), (self.folder / "b.vti").read_bytes())
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "brute",
+                              "-o", "c.npy"), 0)
+        values = struct.unpack("<60d", (self.folder / "c.npy").read_bytes()[-480:])
+        self.expect_close(values, [abs(d) for d in self.distances()])
+
+    def test_order_and_band_show_in_the_shape(self):
+        self.expect(self.blum("field", "box.off", *self.GRID, "--order", 2, "--band", 0.8,
+                              "-o", "two.npy"), 0)
+        values = struct.unpack("<120d", (self.folder / "two.npy").read_bytes()[-960:])
+        for nearest, second, d in zip(values[::2], values[1::2], self.distances()):
+            self.assertLessEqual(nearest, second)
+            self.assertAlmostEqual(nearest, abs(d) if abs(d) <= 0.8 else math.inf, delta=1e-12)
+
+    def test_a_slice_is_a_picture_of_its_voxels(self):
+        self.expect(self.blum("field", "box.off", "--resolution", "30,40,50", "--signed",
+                              "--slice", "box.png", "--slice-axis", "x", "--slice-index", 3), 0)
+        self.assertEqual(self.names(), ["box.off", "box.png"])
+        png = (self.folder / "box.png").read_bytes()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", png[16:24]), (40, 50))
+        length = struct.unpack(">I", png[png.index(b"IDAT") - 4:png.index(b"IDAT")])[0]
+        start = png.index(b"IDAT") + 4
+        self.assertEqual(len(zlib.decompress(png[start:start + length])), 50 * (1 + 3 * 40))
+
+    def test_a_dry_run_says_what_it_would_take_and_writes_nothing(self):
+        result = self.blum("field", "box.off", "--resolution", 200, "--dry-run", "-o", "x.vti")
+        self.expect(result, 0)
+        for word in ["sites:", "grid:", "200", "backend:", "cpu", "memory:", "MiB"]:
+            self.assertIn(word, result.stdout)
+        self.assertEqual(self.names(), ["box.off"])
+
+    def test_a_grid_too_large_for_memory_is_refused_with_one_that_fits(self):
+        result = self.blum("field", "box.off", "--resolution", "100000,100000,100000",
+                           "-o", "x.vti")
+        self.expect(result, 2)
+        self.assertRegex(result.stderr, r"needs about \d+ MiB.*--resolution \d+,\d+,\d+ would fit")
+        self.assertEqual(self.names(), ["box.off"])
+
+    def test_open_surfaces_have_a_field_but_no_sign(self):
+        self.file("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.expect(self.blum("field", "open.off", "--resolution", 8, "-o", "x.npy"), 0)
+        result = self.blum("field", "open.off", "--resolution", 8, "--signed", "-o", "y.npy")
+        self.expect(result, 2)
+        self.assertIn("boundary_edge", result.stderr)
+        self.assertEqual(self.names(), ["box.off", "open.off", "x.npy", "x.npy.json"])
+
+    def test_wrong_command_lines_exit_with_1(self):
+        for arguments in [["box.off"], ["box.off", "--resolution", "8"],
+                          ["box.off", "--resolution", "0", "-o", "x.vti"],
+                          ["box.off", "--resolution", "8,8", "-o", "x.vti"],
+                          ["box.off", "--resolution", "-8", "-o", "x.vti"],
+                          ["box.off", "--resolution", "8", "-o", "x.txt"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--band", "-1"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--band", "nan"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--order", "0"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--order", "2",
+                           "--signed"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "gpu"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--box", "0,0,0,1,1"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--box", "0,0,0,1,1,0"],
+                          ["box.off", "--resolution", "8", "--slice", "x.png", "--slice-index",
+                           "8"]]:
+            with self.subTest(arguments):
+                self.expect(self.blum("field", *arguments), 1)
+                self.assertEqual(self.names(), ["box.off"])
+        self.expect(self.blum("field", "missing.off", "--resolution", 8, "-o", "x.vti"), 2)
+        self.expect(self.blum("field", "box.off", "--resolution", 8, "-o", "no/x.vti"), 5)
+
+    def test_dirty_models_have_fields(self):
+        if not SHARED_MODELS.is_dir():
+            self.skipTest("no shared models")
+        for name in ["dirty_elephant_with_holes", "dirty_capsule_degenerate"]:
+            with self.subTest(name):
+                self.expect(self.blum("field", SHARED_MODELS / f"{name}.off", "--resolution", 24,
+                                      "-o", "x.npy"), 0)
+
+
+if __name__ == "__main__":
+    main()
