@@ -103,4 +103,32 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
   return best[kBeside].hi > best[kItself].hi ? best[kBeside] : best[kItself];
 }
 
+std::optional<double> least_at_junction(const SiteGeometry& geometry, const LeafParts& leaf,
+                                        const AngleBox& box) {
+  std::vector<Member> member;
+  GroupSet present = 0;
+  for (const SiteId s : box.candidates) {
+    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
+    present |= member.back().group;
+  }
+  if (std::popcount(present) != 4) return std::nullopt;
+  const double radius = radius_of(box.box);
+  double largest = 0;
+  for (GroupSet g = present; g != 0; g &= g - 1)
+    for (GroupSet h = g & (g - 1); h != 0; h &= h - 1) {
+      double least = kPi;
+      bool tie = false;
+      for (const Member& a : member)
+        for (const Member& b : member) {
+          if (a.group != (g & -g) || b.group != (h & -h)) continue;
+          if (!may_tie(a.view, b.view, radius)) continue;
+          tie = true;
+          least = std::min(least, angle_at_least(a.view, b.view));
+        }
+      if (!tie) return std::nullopt;
+      largest = std::max(largest, least);
+    }
+  return largest;
+}
+
 }  // namespace blum

@@ -1,6 +1,7 @@
 /// The separation angle over a part of a leaf: what may tie there, and for which part of K.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -15,7 +16,6 @@ namespace blum {
 struct AngleRole {
   enum class Kind : std::uint8_t { kArc, kSeam, kRest } kind = Kind::kArc;
   GroupSet a = 0, b = 0;  ///< kArc: the two sides; kSeam: a, the groups around the node
-  bool alone = true;      ///< kArc: points found with these feet are on the part
 };
 
 /// A closed box (flat or not) in a leaf, with a superset of the sites that govern points of it.
@@ -40,6 +40,11 @@ struct AngleBound {
   double hi = 0;  ///< 0: no such point is in the box
   SiteId a{}, b{};
 };
+
+/// Lower bound of the angle at any point of the box with feet in four groups, radians; nullopt:
+/// there is none.
+[[nodiscard]] std::optional<double> least_at_junction(const SiteGeometry& geometry,
+                                                      const LeafParts& leaf, const AngleBox& box);
 
 [[nodiscard]] AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs,
                                       const LeafParts& leaf, const AngleRole& role,

@@ -10,8 +10,8 @@ namespace blum {
 namespace {
 
 constexpr int kSteps = 12;
-/// Half the distance of the two points, and half the side of the rectangle, as parts of the distance
-/// to the boundary: far above rounding, far below what angles can tell.
+/// Half the distance of the two points, and half the side of the rectangle, as parts of the
+/// distance to the boundary: far above rounding, far below what angles can tell.
 constexpr double kReach = 1e-8;
 /// Directions of one kind are within this angle; kinds have to be farther apart than twice that.
 constexpr double kKind = 1e-3;
@@ -146,8 +146,8 @@ std::optional<double> AngleWitness::on_seam(const LeafParts& leaf, const AngleRo
     if (x[k] == within.box.lo[k] || x[k] == within.box.hi[k]) axis = k;
   const int u = u_axis(axis), v = v_axis(axis);
   // Not centred, so that symmetric models do not put the seam on a line of bisection.
-  const Rect rect{axis, x[axis], x[u] - 0.9 * half, x[u] + 1.1 * half, x[v] - 0.97 * half,
-                  x[v] + 1.03 * half};
+  const Rect rect{
+      axis, x[axis], x[u] - 0.9 * half, x[u] + 1.1 * half, x[v] - 0.97 * half, x[v] + 1.03 * half};
   const Point3 lo = point_on(axis, rect.level, rect.u0, rect.v0),
                hi = point_on(axis, rect.level, rect.u1, rect.v1);
   if (!in(within.box, lo) || !in(within.box, hi)) return std::nullopt;
@@ -183,20 +183,19 @@ std::optional<double> AngleWitness::on_seam(const LeafParts& leaf, const AngleRo
       double least = kPi;
       for (const SiteView& a : view)
         for (const SiteView& b : view)
-          if (governs(r, a.site) && governs(q, b.site)) least = std::min(least, angle_at_least(a, b));
+          if (governs(r, a.site) && governs(q, b.site))
+            least = std::min(least, angle_at_least(a, b));
       return least;
     };
     const std::size_t m = region.size();
     std::vector<double> table(m * m, 0);
     for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = i + 1; j < m; ++j)
-        table[i * m + j] = between(region[i], region[j]);
+      for (std::size_t j = i + 1; j < m; ++j) table[i * m + j] = between(region[i], region[j]);
     double least = kPi;
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = i + 1; j < m; ++j)
         for (std::size_t k = j + 1; k < m; ++k)
-          least = std::min(least,
-                           std::max({table[i * m + j], table[i * m + k], table[j * m + k]}));
+          least = std::min(least, std::max({table[i * m + j], table[i * m + k], table[j * m + k]}));
     best = std::max(best, least);
   }
   return best > 0 ? std::optional(best) : std::nullopt;

@@ -124,11 +124,11 @@ VertexParts vertex_parts(const CellComplex& complex, const Parts& parts) {
   for (std::uint32_t v = 0; v < complex.vertex.size(); ++v) {
     const bool node = !boundary[v] && (ends[v] > 0 ? ends[v] != 2 : several[v]);
     result.is_node[v] = node;
-    result.part.push_back(boundary[v]       ? kNone
-                          : node            ? number.vertex(v)
-                          : ends[v] == 2    ? number.seam(seam[v])
+    result.part.push_back(boundary[v]         ? kNone
+                          : node              ? number.vertex(v)
+                          : ends[v] == 2      ? number.seam(seam[v])
                           : sheet[v] != kNone ? sheet[v]
-                                            : kNone);
+                                              : kNone);
   }
   return result;
 }
@@ -146,7 +146,7 @@ struct LeafReader {
     if (b < a) std::swap(a, b);
     for (const LeafParts::Arc& arc : leaf.arc)
       if (arc.a == a && arc.b == b && arc.sheet == sheet) return;
-    leaf.arc.push_back({a, b, sheet, true});
+    leaf.arc.push_back({a, b, sheet});
   }
 
   void add_seams(const std::vector<std::uint32_t>& triangles, LeafParts& leaf) const {
@@ -163,7 +163,7 @@ struct LeafReader {
       const bool known = std::any_of(leaf.seam.begin(), leaf.seam.end(), [&](const auto& s) {
         return s.seam == seam && s.groups == groups;
       });
-      if (!known) leaf.seam.push_back({groups, seam, true});
+      if (!known) leaf.seam.push_back({groups, seam});
     }
   }
 };
@@ -196,15 +196,6 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
     reader.add_seams(triangles[c], leaf);
     const auto part = reader.vertex.part[cone.apex];
     if (!leaf.conical && part != VertexParts::kNone) leaf.rest.push_back(part);
-  }
-  for (LeafParts& leaf : list) {
-    for (auto& a : leaf.seam)
-      for (const auto& b : leaf.seam)
-        if (a.seam != b.seam && std::popcount(a.groups & b.groups) >= 3) a.alone = false;
-    for (auto& a : leaf.arc)
-      for (const auto& b : leaf.arc)
-        if (a.sheet != b.sheet && (a.a & b.a || a.a & b.b) && (a.b & b.b || a.b & b.a))
-          a.alone = false;
   }
   return list;
 }

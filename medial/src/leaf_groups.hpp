@@ -1,4 +1,5 @@
-/// Which sites of a leaf govern which piece of it, and which parts of K stand for which of its ties.
+/// Which sites of a leaf govern which piece of it, and which parts of K stand for which of its
+/// ties.
 ///
 /// Groups: two sites are in one group if they label one region of a diagram on the leaf's faces, or
 /// regions and boundary triangles that are joined on the leaf's surface without crossing the axis.
@@ -49,12 +50,10 @@ struct LeafParts {
   struct Arc {
     GroupSet a = 0, b = 0;  ///< a <= b; the sides of an arc
     std::uint32_t sheet = 0;
-    bool alone = true;  ///< no other sheet has arcs between these groups
   };
   struct Seam {
     GroupSet groups = 0;  ///< around a node of three or more arcs
     std::uint32_t seam = 0;
-    bool alone = true;  ///< no other seam has nodes where three of these groups meet
   };
   std::vector<Arc> arc;
   std::vector<Seam> seam;

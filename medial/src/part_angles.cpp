@@ -20,6 +20,8 @@ constexpr double kDegrees = 180 / kPi;
 /// Bisections stop at boxes of this size (working units): Newton's method and the exact tests at
 /// points have done all they can long before.
 constexpr double kSmallest = 1e-9;
+constexpr int kJunctionRounds = 16;  // bisections along each axis
+constexpr std::size_t kMostJunctionBoxes = 256;
 constexpr int kStarts = 24;    // vertices of K where a witness is looked for
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
 
@@ -35,10 +37,12 @@ struct Item {
   friend bool operator<(const Item& a, const Item& b) { return a.bound.hi < b.bound.hi; }
 };
 
-/// Point to begin with: a vertex of K on the part, and the task it belongs to.
+/// Where to look for a witness: near a point of K on the part.
 struct Start {
   std::uint32_t task = 0;
   Point3 x;
+  double reach = 0;  // seams are looked for in a box of this half width
+  SiteId a{}, b{};   // sheets: one governor on each side
 };
 
 /// What one thread works with.
@@ -69,6 +73,7 @@ class PartBound {
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
   void add_root(std::uint32_t task);
+  void find_junction();
   void divide(const Item& item);
   void seek(std::uint32_t task, const AngleBox& within, const Box3& search, const AngleBound& top);
 
@@ -161,8 +166,7 @@ void PartBound::divide(const Item& item) {
     }
   // Not in the middle, where symmetric models have their symmetries.
   const double cut = box.lo[axis] + 0.4878 * (box.hi[axis] - box.lo[axis]);
-  if (!(cut > box.lo[axis] && cut < box.hi[axis]) ||
-      box.hi[axis] - box.lo[axis] < kSmallest) {
+  if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
     settled_ = std::max(settled_, item.bound.hi);
     return;
   }
@@ -175,16 +179,54 @@ void PartBound::divide(const Item& item) {
 void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& search,
                      const AngleBound& top) {
   const Task& t = tasks_[task];
-  if (!t.role.alone) return;
   std::optional<double> found;
   if (t.role.kind == AngleRole::Kind::kArc)
-    found = tools_.witness.on_sheet(leaves_[t.leaf], t.role, within, center_of(search),
-                                    top.a, top.b);
+    found =
+        tools_.witness.on_sheet(leaves_[t.leaf], t.role, within, center_of(search), top.a, top.b);
   else if (t.role.kind == AngleRole::Kind::kSeam)
     found = tools_.witness.on_seam(leaves_[t.leaf], t.role, within, search);
   if (found && *found > lo_) {
     lo_ = *found;
     idle_ = 0;
+  }
+}
+
+/// In a leaf with the shape of a junction there is a point with feet in all four groups: the closed
+/// pieces of the leaf cover it, and on its surface they lie as the stars of a tetrahedron's corners
+/// do, so they have a common point (the lemma of Knaster, Kuratowski and Mazurkiewicz). It is in
+/// one of the boxes that may hold such points.
+void PartBound::find_junction() {
+  if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
+  if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
+  const LeafParts& parts = leaves_[tasks_[0].leaf];
+  const Leaf& leaf = subdivision_.leaf[parts.leaf];
+  std::vector<AngleBox> boxes{{leaf.box, leaf.candidates}};
+  // Few boxes hold such points when they are small.
+  for (int round = 0; round < 3 * kJunctionRounds && !stop_; ++round) {
+    std::vector<AngleBox> halves;
+    double least = kPi, most = 0;
+    for (const AngleBox& b : boxes) {
+      int axis = 0;
+      for (int k = 1; k < 3; ++k)
+        if (b.box.hi[k] - b.box.lo[k] > b.box.hi[axis] - b.box.lo[axis]) axis = k;
+      const double cut = b.box.lo[axis] + 0.4878 * (b.box.hi[axis] - b.box.lo[axis]);
+      for (const bool high : {false, true}) {
+        AngleBox half = b;
+        (high ? half.box.lo : half.box.hi)[axis] = cut;
+        half.candidates = tools_.engine.prune(b.candidates, half.box.lo, half.box.hi);
+        ++boxes_;
+        const auto at_least = least_at_junction(geometry_, parts, half);
+        if (!at_least) continue;
+        least = std::min(least, *at_least);
+        most =
+            std::max(most, bound_in_box(geometry_, tools_.pairs, parts, tasks_[0].role, half).hi);
+        halves.push_back(std::move(half));
+      }
+    }
+    if (halves.empty() || halves.size() > kMostJunctionBoxes) return;
+    boxes = std::move(halves);
+    lo_ = std::max(lo_, least);
+    if (most <= lo_ + 0.5 * tolerance_) return;
   }
 }
 
@@ -195,12 +237,14 @@ AngleInterval PartBound::run(const std::vector<Start>& starts) {
     if (top() <= lo_ + tolerance_ || stop_) break;
     const Task& t = tasks_[s.task];
     const Leaf& leaf = subdivision_.leaf[leaves_[t.leaf].leaf];
-    const AngleBox whole{leaf.box, leaf.candidates};
-    const AngleBound here =
-        bound_in_box(geometry_, tools_.pairs, leaves_[t.leaf], t.role,
-                     {{s.x, s.x}, leaf.candidates});
-    if (here.hi > lo_) seek(s.task, whole, {s.x, s.x}, here);
+    Box3 search = leaf.box;
+    for (int k = 0; k < 3; ++k) {
+      search.lo[k] = std::clamp(s.x[k] - s.reach, leaf.box.lo[k], leaf.box.hi[k]);
+      search.hi[k] = std::clamp(s.x[k] + s.reach, leaf.box.lo[k], leaf.box.hi[k]);
+    }
+    seek(s.task, {leaf.box, leaf.candidates}, search, {0, s.a, s.b});
   }
+  find_junction();
   while (!heap_.empty() && top() > lo_ + tolerance_ && boxes_ < budget_ && !stop_) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Item item = std::move(heap_.back());
@@ -218,7 +262,7 @@ AngleInterval PartBound::run(const std::vector<Start>& starts) {
 
 /// Which tasks each part has, and where witnesses may be found.
 struct Plan {
-  std::vector<std::vector<Task>> tasks;   // by part
+  std::vector<std::vector<Task>> tasks;  // by part
   std::vector<std::vector<Start>> starts;
 };
 
@@ -233,12 +277,10 @@ Plan plan_of(const Solid& solid, const std::vector<LeafParts>& leaves, const Cel
     if (leaf.leaf >= list_of.size()) list_of.resize(leaf.leaf + 1, 0);
     list_of[leaf.leaf] = l;
     for (const auto& a : leaf.arc)
-      plan.tasks[a.sheet].push_back({l, {AngleRole::Kind::kArc, a.a, a.b, a.alone}});
+      plan.tasks[a.sheet].push_back({l, {AngleRole::Kind::kArc, a.a, a.b}});
     for (const auto& s : leaf.seam)
-      plan.tasks[number.seam(s.seam)].push_back(
-          {l, {AngleRole::Kind::kSeam, s.groups, 0, s.alone}});
-    for (const auto p : leaf.rest)
-      plan.tasks[p].push_back({l, {AngleRole::Kind::kRest, 0, 0, false}});
+      plan.tasks[number.seam(s.seam)].push_back({l, {AngleRole::Kind::kSeam, s.groups, 0}});
+    for (const auto p : leaf.rest) plan.tasks[p].push_back({l, {AngleRole::Kind::kRest, 0, 0}});
   }
   const auto to_working = [&](const Point3& p) {
     Point3 x;
@@ -246,28 +288,38 @@ Plan plan_of(const Solid& solid, const std::vector<LeafParts>& leaves, const Cel
       x[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
     return x;
   };
-  // Vertices of base arcs that lie on the axis, spread over the triangles of each part.
-  const auto offer = [&](std::uint32_t part, std::uint32_t leaf, std::uint32_t vertex) {
-    const ComplexVertex& v = complex.vertex[vertex];
+  const auto offer = [&](std::uint32_t part, Start start, std::uint32_t leaf) {
     auto& starts = plan.starts[part];
-    if (!v.on_axis || v.radius == 0 || starts.size() >= 8 * kStarts) return;
+    if (starts.size() >= 8 * kStarts) return;
     const auto& tasks = plan.tasks[part];
-    for (std::uint32_t t = 0; t < tasks.size(); ++t)
-      if (tasks[t].leaf == leaf && tasks[t].role.kind != AngleRole::Kind::kRest) {
-        starts.push_back({t, to_working(v.position)});
+    for (start.task = 0; start.task < tasks.size(); ++start.task)
+      if (tasks[start.task].leaf == leaf && tasks[start.task].role.kind != AngleRole::Kind::kRest) {
+        starts.push_back(start);
         return;
       }
+  };
+  const auto between = [](const Point3& p, const Point3& q, double s) {
+    return Point3{p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z)};
   };
   for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
     const ComplexTriangle& triangle = complex.triangle[t];
     const auto l = list_of[complex.cone[triangle.cone].leaf];
+    const Point3 apex = to_working(complex.vertex[complex.cone[triangle.cone].apex].position);
     const auto& base = complex.edge[triangle.edge[0]].vertex;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto seam = parts.edge_seam[triangle.edge[1 + end]];
-      if (seam == Parts::kNoSeam)
-        offer(parts.triangle_sheet[t], l, base[end]);
-      else
-        offer(number.seam(seam), l, base[end]);
+    const std::array<Point3, 2> end{to_working(complex.vertex[base[0]].position),
+                                    to_working(complex.vertex[base[1]].position)};
+    for (const double along : {0.5, 0.1, 0.9})
+      for (const double up : {0.0, 0.3})
+        offer(parts.triangle_sheet[t],
+              {0, between(between(end[0], end[1], along), apex, up), 0, triangle.governors[0],
+               triangle.governors[1]},
+              l);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto seam = parts.edge_seam[triangle.edge[1 + k]];
+      if (seam == Parts::kNoSeam) continue;
+      const double length = std::hypot(apex.x - end[k].x, apex.y - end[k].y, apex.z - end[k].z);
+      for (const auto& [up, reach] : {std::pair{0.0, 0.0}, {0.15, 0.1}, {0.5, 0.3}})
+        offer(number.seam(seam), {0, between(end[k], apex, up), reach * length, {}, {}}, l);
     }
   }
   for (auto& starts : plan.starts) {

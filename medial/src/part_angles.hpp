@@ -6,8 +6,8 @@
 
 namespace blum {
 
-/// The same for any number of threads, unless the run's watch fires: bounds are then as wide as they
-/// are at that time, and still right.
+/// The same for any number of threads, unless the run's watch fires: bounds are then as wide as
+/// they are at that time, and still right.
 [[nodiscard]] PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
                                      EngineSet& engines, const CellComplex& complex,
                                      const Parts& parts, const AngleOptions& options);

@@ -2,12 +2,13 @@
 /// point is the largest angle between the directions to two of its feet; that of a part is the
 /// supremum over its points.
 ///
-/// What is a point of which part? In a leaf the sites fall into groups, one for each connected piece
-/// of the leaf minus the axis. A point of the axis whose feet are in two groups belongs to the sheets
-/// whose arcs on the leaf's surface part these groups; one with more groups to the seams that end in
-/// nodes where all of these meet; and any other to the apex of the leaf's cones, or the one part
-/// that the apex lies on. So each point of the axis is counted by a part of K in the same leaf, and
-/// parts of angle >= theta come within the Hausdorff bound of every point of angle >= theta.
+/// What is a point of which part? In a leaf the sites fall into groups, one for each connected
+/// piece of the leaf minus the axis. A point of the axis whose feet are in two groups belongs to
+/// the sheets whose arcs on the leaf's surface part these groups; one with more groups to the seams
+/// that end in nodes where all of these meet; and any other to the apex of the leaf's cones, or the
+/// one part that the apex lies on. So each point of the axis is counted by a part of K in the same
+/// leaf, and parts of angle >= theta come within the Hausdorff bound of every point of angle >=
+/// theta.
 #pragma once
 
 #include <cstddef>
