@@ -13,6 +13,8 @@ class Represented {
 
   [[nodiscard]] bool by_arc(GroupSet g, GroupSet h) const {
     return std::any_of(leaf_.arc.begin(), leaf_.arc.end(), [&](const auto& arc) {
+      // Where a side may be one of several groups it is not certain that the arc is between these.
+      if (!std::has_single_bit(arc.a) || !std::has_single_bit(arc.b)) return false;
       return (within(g, arc.a) && within(h, arc.b)) || (within(h, arc.a) && within(g, arc.b));
     });
   }
@@ -36,7 +38,7 @@ class Represented {
   static bool within(GroupSet g, GroupSet set) { return (g & ~set) == 0; }
   [[nodiscard]] bool in_seam(GroupSet g) const {
     return std::any_of(leaf_.seam.begin(), leaf_.seam.end(),
-                       [&](const auto& s) { return within(g, s.groups); });
+                       [&](const auto& s) { return within(g, s.certain); });
   }
   const LeafParts& leaf_;
 };
@@ -120,7 +122,7 @@ std::optional<double> least_at_junction(const SiteGeometry& geometry, const Leaf
       bool tie = false;
       for (const Member& a : member)
         for (const Member& b : member) {
-          if (a.group != (g & -g) || b.group != (h & -h)) continue;
+          if (!(a.group & (g & -g)) || !(b.group & (h & -h)) || &a == &b) continue;
           if (!may_tie(a.view, b.view, radius)) continue;
           tie = true;
           least = std::min(least, angle_at_least(a.view, b.view));

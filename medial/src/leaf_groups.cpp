@@ -13,30 +13,56 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Sets of sites, numbered as they come.
-class SiteSets {
+/// The components of a leaf's surface, from its regions and boundary triangles.
+class Components {
  public:
-  void unite(SiteId a, SiteId b) { sets_.unite(number(a), number(b)); }
-  void add(SiteId a) { (void)number(a); }
-  [[nodiscard]] std::vector<std::pair<SiteId, GroupSet>> bits() {
-    std::vector<std::pair<SiteId, GroupSet>> list;
-    std::map<std::uint32_t, int> bit;
-    for (const auto& [site, n] : number_) {
-      const int next = std::min<int>(static_cast<int>(bit.size()), 63);
-      list.emplace_back(site, GroupSet{1} << bit.try_emplace(sets_.find(n), next).first->second);
+  explicit Components(const Leaf& leaf) : leaf_(leaf) {
+    std::uint32_t regions = 0;
+    for (std::size_t f = 0; f < 6; ++f) {
+      base_[f] = regions;
+      regions += static_cast<std::uint32_t>(leaf.face[f]->region.size());
     }
-    return list;
+    sets_.resize(regions);
+    join_across_edges();
+  }
+  [[nodiscard]] std::uint32_t region(std::size_t f, std::uint32_t r) const { return base_[f] + r; }
+  [[nodiscard]] std::uint32_t triangle(std::uint32_t t) {
+    const auto [it, fresh] = triangle_.try_emplace(t, 0);
+    if (fresh) it->second = sets_.add();
+    return it->second;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) { sets_.unite(a, b); }
+  /// Components are numbered as they are asked for.
+  [[nodiscard]] GroupSet bit(std::uint32_t element) {
+    const int next = std::min<int>(static_cast<int>(bit_.size()), 63);
+    return GroupSet{1} << bit_.try_emplace(sets_.find(element), next).first->second;
   }
 
  private:
-  std::uint32_t number(SiteId s) {
-    const auto [it, fresh] = number_.try_emplace(s, sets_.size());
-    if (fresh) sets_.add();
-    return it->second;
-  }
-  std::map<SiteId, std::uint32_t> number_;
+  void join_across_edges();
+
+  const Leaf& leaf_;
+  std::array<std::uint32_t, 6> base_{};
+  std::map<std::uint32_t, std::uint32_t> triangle_;
+  std::map<std::uint32_t, int> bit_;
   UnionFind sets_;
 };
+
+void Components::join_across_edges() {
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::size_t g = f + 1; g < 6; ++g)
+      for (int s = 0; s < 4; ++s)
+        for (int t = 0; t < 4; ++t) {
+          const FaceDiagram &a = *leaf_.face[f], &b = *leaf_.face[g];
+          if (!(side_segment(a.rect, s) == side_segment(b.rect, t))) continue;
+          const auto &at_a = a.side_region[static_cast<std::size_t>(s)],
+                     &at_b = b.side_region[static_cast<std::size_t>(t)];
+          BLUM_CHECK(at_a.size() == at_b.size());
+          for (std::size_t k = 0; k < at_a.size(); ++k)
+            if (at_a[k] != FaceDiagram::kOutside && at_b[k] != FaceDiagram::kOutside)
+              unite(region(f, at_a[k]), region(g, at_b[k]));
+        }
+}
 
 bool strictly_inside(const Box3& box, const Point3& p) {
   for (int k = 0; k < 3; ++k)
@@ -49,41 +75,50 @@ bool strictly_inside(const Box3& box, const Point3& p) {
 LeafGroups::LeafGroups(const SiteGeometry& geometry, const Leaf& leaf) {
   const Solid& solid = geometry.solid();
   const SiteIndex& index = geometry.index();
-  SiteSets sets;
+  // A conical leaf is a cone over its surface: only what is connected there counts.
   const bool conical = leaf.theorem == LeafTheorem::kConical;
-  std::set<std::uint32_t> edges;  // of the boundary, that meet the leaf
-  for (const auto& face : leaf.face) {
-    for (const FaceRegion& r : face->region)
-      for (const SiteId s : r.labels) sets.unite(r.labels.front(), s);
-    for (int s = 0; s < 4; ++s)
-      for (std::size_t k = 0; k < face->side_region[s].size(); ++k) {
-        const auto r = face->side_region[s][k];
-        if (r == FaceDiagram::kOutside || face->region[r].labels.empty()) continue;
-        sets.unite(face->region[r].labels.front(), face->side[s]->interval[k].witness);
-      }
-    if (conical) continue;  // a cone over its surface: only what is connected there counts
-    for (const FaceTrace& t : face->trace)
-      if (!face->region[t.region].labels.empty())
-        sets.unite(face->region[t.region].labels.front(), index.face(t.triangle));
-    for (const FaceTracePoint& p : face->trace_point) edges.insert(p.boundary_edge);
-  }
-  for (const auto t : leaf.triangles)
-    for (const auto v : solid.triangle[t].vertex) {
-      if (conical || !strictly_inside(leaf.box, solid.point[v])) continue;
-      for (const auto e : solid.edges_at(v)) edges.insert(e);
-      // A vertex governs pieces beside all of its triangles, if it governs anything.
-      if (std::binary_search(leaf.candidates.begin(), leaf.candidates.end(), index.vertex(v)))
-        for (const auto beside : solid.triangles_at(v))
-          sets.unite(index.vertex(v), index.face(beside));
+  Components components(leaf);
+  std::set<std::uint32_t> edges, vertices;  // of the boundary, in the leaf
+  if (!conical) {
+    for (std::size_t f = 0; f < 6; ++f) {
+      for (const FaceTrace& t : leaf.face[f]->trace)
+        components.unite(components.region(f, t.region), components.triangle(t.triangle));
+      for (const FaceTracePoint& p : leaf.face[f]->trace_point) edges.insert(p.boundary_edge);
     }
-  for (const auto e : edges) {
-    const SolidEdge& edge = solid.edge[e];
-    if (edge.kind == EdgeKind::kConvex) continue;
-    sets.unite(index.face(edge.triangle[0]), index.face(edge.triangle[1]));
-    if (edge.kind == EdgeKind::kReflex) sets.unite(index.face(edge.triangle[0]), index.edge(e));
+    for (const auto t : leaf.triangles)
+      for (const auto v : solid.triangle[t].vertex)
+        if (strictly_inside(leaf.box, solid.point[v])) vertices.insert(v);
+    for (const auto v : vertices)
+      for (const auto e : solid.edges_at(v)) edges.insert(e);
   }
-  set_ = sets.bits();
-  for (const auto& [site, bit] : set_) all_ |= bit;
+  for (const auto e : edges)
+    if (solid.edge[e].kind != EdgeKind::kConvex)
+      components.unite(components.triangle(solid.edge[e].triangle[0]),
+                       components.triangle(solid.edge[e].triangle[1]));
+
+  std::map<SiteId, GroupSet> set;
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::uint32_t r = 0; r < leaf.face[f]->region.size(); ++r)
+      for (const SiteId s : leaf.face[f]->region[r].labels)
+        set[s] |= components.bit(components.region(f, r));
+  for (const auto e : edges)
+    for (const auto t : solid.edge[e].triangle) {
+      const GroupSet bit = components.bit(components.triangle(t));
+      set[index.face(t)] |= bit;
+      if (solid.edge[e].kind == EdgeKind::kReflex) set[index.edge(e)] |= bit;
+    }
+  if (!conical)
+    for (const auto& face : leaf.face)
+      for (const FaceTrace& t : face->trace)
+        set[index.face(t.triangle)] |= components.bit(components.triangle(t.triangle));
+  for (const auto v : vertices)
+    for (const auto t : solid.triangles_at(v)) {
+      const GroupSet bit = components.bit(components.triangle(t));
+      set[index.face(t)] |= bit;
+      set[index.vertex(v)] |= bit;
+    }
+  set_.assign(set.begin(), set.end());
+  for (const auto& [site, bits] : set_) all_ |= bits;
 }
 
 GroupSet LeafGroups::of(SiteId s) const {
@@ -151,19 +186,23 @@ struct LeafReader {
 
   void add_seams(const std::vector<std::uint32_t>& triangles, LeafParts& leaf) const {
     // Groups around each node, by the spoke over it.
-    std::map<std::uint32_t, GroupSet> around;
+    std::map<std::uint32_t, LeafParts::Seam> around;
     for (const auto t : triangles)
       for (const int end : {1, 2}) {
         const auto spoke = complex.triangle[t].edge[static_cast<std::size_t>(end)];
         if (parts.edge_seam[spoke] == Parts::kNoSeam) continue;
-        for (const SiteId s : complex.triangle[t].governors) around[spoke] |= leaf.groups.of(s);
+        for (const SiteId s : complex.triangle[t].governors) {
+          const GroupSet g = leaf.groups.of(s);
+          around[spoke].groups |= g;
+          if (std::has_single_bit(g)) around[spoke].certain |= g;
+        }
       }
-    for (const auto& [spoke, groups] : around) {
-      const auto seam = parts.edge_seam[spoke];
+    for (auto& [spoke, entry] : around) {
+      entry.seam = parts.edge_seam[spoke];
       const bool known = std::any_of(leaf.seam.begin(), leaf.seam.end(), [&](const auto& s) {
-        return s.seam == seam && s.groups == groups;
+        return s.seam == entry.seam && s.groups == entry.groups && s.certain == entry.certain;
       });
-      if (!known) leaf.seam.push_back({groups, seam});
+      if (!known) leaf.seam.push_back(entry);
     }
   }
 };

@@ -1,11 +1,11 @@
 /// Which sites of a leaf govern which piece of it, and which parts of K stand for which of its
 /// ties.
 ///
-/// Groups: two sites are in one group if they label one region of a diagram on the leaf's faces, or
-/// regions and boundary triangles that are joined on the leaf's surface without crossing the axis.
-/// By Theorem A' (docs/proofs.md) the governors of a connected piece of the leaf minus the axis are
-/// labels of one component of its surface: so they are in one group. (A site that governs several
-/// pieces makes one group of them, which is coarser and as valid.)
+/// Groups: the components of the leaf's surface minus the axis, as its six diagrams and the
+/// boundary triangles in it show them. By Theorem A' (docs/proofs.md) the governors of a connected
+/// piece of the leaf minus the axis are labels of one component. Most sites label one; a site that
+/// labels several, or a vertex in the leaf, which may govern whatever it touches, belongs to
+/// several groups, and then counts wherever one of them does.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ class LeafGroups {
  public:
   LeafGroups() = default;
   LeafGroups(const SiteGeometry& geometry, const Leaf& leaf);
-  /// The group's bit; for sites that label nothing the set of all groups.
+  /// The site's groups; for sites that label nothing all of them.
   [[nodiscard]] GroupSet of(SiteId s) const;
 
  private:
@@ -52,7 +52,8 @@ struct LeafParts {
     std::uint32_t sheet = 0;
   };
   struct Seam {
-    GroupSet groups = 0;  ///< around a node of three or more arcs
+    GroupSet groups = 0;   ///< that may be around a node of three or more arcs
+    GroupSet certain = 0;  ///< of these, those that are
     std::uint32_t seam = 0;
   };
   std::vector<Arc> arc;

@@ -99,6 +99,8 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
     const auto late = std::chrono::steady_clock::now();
     result.angles = part_angles(geometry, subdivided.value(), engines, result.complex,
                                 result.parts, angles);
+    result.filtration = filter(result.complex, result.parts,
+                               cell_costs(result.complex, result.parts, *result.angles));
     result.time.angles_s = seconds_since(late);
     watch.rethrow();
     if (watch.look() == Stop::kInterrupted)

@@ -28,8 +28,8 @@ struct AngleInterval {
 
 struct AngleOptions {
   bool wanted = false;
-  double tolerance_deg = 1;           ///< a part is refined until its interval is as narrow
-  std::size_t boxes_per_part = 2000;  ///< or so many boxes have been looked at
+  double tolerance_deg = 1;          ///< a part is refined until its interval is as narrow
+  std::size_t boxes_per_part = 500;  ///< or so many boxes have been looked at
 };
 
 struct PartAngles {

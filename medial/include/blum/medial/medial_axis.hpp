@@ -33,7 +33,8 @@ struct MedialResult {
   bool certified = false;
   CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
-  std::optional<PartAngles> angles;  ///< if wanted
+  std::optional<PartAngles> angles;  ///< if wanted; the filtration by them too
+  std::optional<Filtration> filtration;
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
   std::size_t leaves = 0;
