@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "blum/kernel/flatten.hpp"
@@ -15,6 +16,7 @@
 #include "blum/kernel/validate.hpp"
 #include "blum/medial/io.hpp"
 #include "blum/medial/medial_axis.hpp"
+#include "blum/medial/simplify.hpp"
 #include "blum/medial/summary.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
@@ -31,6 +33,12 @@ struct MedialArguments {
   std::string model, prefix, summary, flattened;
   double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
   std::uint64_t max_memory_mib = 0;            // 0: no limit
+  std::optional<double> theta;                 // degrees
+  Simplify simplify = Simplify::kHomotopy;
+  std::vector<double> theta_table;
+  std::string theta_csv;
+  bool with_angles = false;
+  AngleOptions angles;
   MedialOptions options;
 };
 
@@ -73,7 +81,7 @@ constexpr const char* kUndecidedSuffix = ".undecided.vtp";
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
-  for (const std::string& name : {arguments.summary, arguments.flattened}) {
+  for (const std::string& name : {arguments.summary, arguments.flattened, arguments.theta_csv}) {
     if (!name.empty()) files.emplace_back(name);
   }
   return files;
@@ -141,6 +149,16 @@ int run_medial(MedialArguments arguments) {
   if (!(arguments.coplanar_tolerance >= 0 && arguments.coplanar_tolerance <= 1)) {
     return report_usage("--coplanar-tolerance: not in [0, 1]");
   }
+  if (!(arguments.angles.tolerance_deg >= 0))
+    return report_usage("--angle-tolerance: not an angle");
+  for (const double theta : arguments.theta_table) {
+    if (!(theta >= 0 && theta <= 180)) return report_usage("--theta-table: not in [0, 180]");
+  }
+  if (arguments.theta && !(*arguments.theta >= 0 && *arguments.theta <= 180)) {
+    return report_usage("--theta: not in [0, 180]");
+  }
+  arguments.angles.wanted =
+      arguments.with_angles || arguments.theta || !arguments.theta_table.empty();
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
   std::vector<fs::path> files = outputs(arguments);
@@ -184,7 +202,7 @@ int run_medial(MedialArguments arguments) {
       bar.show(progress);
       return interrupted_by() == 0;
     };
-    return compute_medial_axis(solid.value(), arguments.options);
+    return compute_medial_axis(solid.value(), arguments.options, arguments.angles);
   };
   const Result<MedialResult> result = compute();
   if (interrupted_by() != 0) return interrupted();
@@ -194,15 +212,29 @@ int run_medial(MedialArguments arguments) {
   summary.result = &result.value();
   summary.total_s = total.lap();
   summary.peak_memory_bytes = peak_memory_bytes();
+  std::optional<MedialResult> pruned;
+  if (arguments.theta) {
+    pruned = simplified(result.value(), *arguments.theta, arguments.simplify);
+    summary.pruned = &*pruned;
+    summary.theta_deg = *arguments.theta;
+    summary.simplify = arguments.simplify;
+  }
+  std::vector<ThetaRow> rows;
+  if (!arguments.theta_table.empty()) rows = theta_table(result.value(), arguments.theta_table);
   std::vector<TextFile> texts;
+  if (!arguments.theta_csv.empty()) {
+    texts.push_back({arguments.theta_csv, theta_table_csv(rows)});
+  }
   if (!arguments.summary.empty()) texts.push_back({arguments.summary, summary_json(summary)});
   if (!arguments.flattened.empty()) {
     texts.push_back({arguments.flattened, off_text(mesh.value())});
   }
-  if (const auto error = write_medial(result.value(), solid.value(), arguments.prefix, texts)) {
+  if (const auto error =
+          write_medial(pruned ? *pruned : result.value(), solid.value(), arguments.prefix, texts)) {
     return report(*error);
   }
   std::cout << summary_text(summary);
+  if (!rows.empty()) std::cout << theta_table_text(rows);
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
   for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
@@ -240,6 +272,34 @@ Command add_medial_command(CLI::App& app) {
       ->add_option("--write-flattened", arguments->flattened,
                    "Write the solid so changed to this file, as OFF")
       ->needs(coplanar);
+  medial->add_flag("--angles", arguments->with_angles,
+                   "Bound the separation angles of all parts, and write them to PREFIX.vtp");
+  CLI::Option* const theta = medial->add_option(
+      "--theta", arguments->theta, "Degrees: the files hold the axis simplified by this angle");
+  medial
+      ->add_option("--simplify", arguments->simplify,
+                   "hma: keeps the homotopy type; sma: every part with a larger angle, which may\n"
+                   "tear the axis apart")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Simplify>{
+          {"hma", Simplify::kHomotopy}, {"sma", Simplify::kSubset}}))
+      ->default_str("hma")
+      ->needs(theta);
+  CLI::Option* const table =
+      medial
+          ->add_option("--theta-table", arguments->theta_table,
+                       "Angles, with commas between: print both simplified axes for each")
+          ->delimiter(',');
+  medial->add_option("--theta-csv", arguments->theta_csv, "Write that table to this file, as CSV")
+      ->needs(table);
+  medial
+      ->add_option("--angle-tolerance", arguments->angles.tolerance_deg,
+                   "Degrees between the bounds of a part's angle, where the budget suffices")
+      ->capture_default_str();
+  medial
+      ->add_option("--angle-budget", arguments->angles.boxes_per_part,
+                   "Boxes to look at for each part")
+      ->check(kDigits)
+      ->capture_default_str();
   medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
           {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
@@ -271,6 +331,7 @@ to PREFIX.undecided.vtp as boxes, with exit code 3.
 Examples:
   blum medial part.stl
   blum medial part.stl --resolve --epsilon 0.05
+  blum medial part.stl --theta 60 --theta-table 0,30,60,90,120,150,180
   blum medial part.stl -o out/part --summary out/part.json --time-limit 60
   blum medial part.stl --coplanar-tolerance 1e-6 --write-flattened out/flat.off)");
   return [arguments] { return run_medial(*arguments); };

@@ -100,8 +100,21 @@ class VtpWriter {
       DataArray<std::uint8_t> array(out_, "on_axis", k_.vertex.size());
       for (const ComplexVertex& v : k_.vertex) array.put(v.on_axis ? 1 : 0);
     }
-    DataArray<std::uint8_t> array(out_, "kind", k_.vertex.size());
-    for (const ComplexVertex& v : k_.vertex) array.put(v.kind);
+    {
+      DataArray<std::uint8_t> array(out_, "kind", k_.vertex.size());
+      for (const ComplexVertex& v : k_.vertex) array.put(v.kind);
+    }
+    if (!result_.angles) return;
+    {
+      DataArray<double> array(out_, "angle_lo", k_.vertex.size());
+      for (const AngleInterval& i : result_.angles->vertex) array.put(i.lo);
+    }
+    {
+      DataArray<double> array(out_, "angle_hi", k_.vertex.size());
+      for (const AngleInterval& i : result_.angles->vertex) array.put(i.hi);
+    }
+    DataArray<double> array(out_, "theta", k_.vertex.size());
+    for (const double v : result_.filtration->value.vertex) array.put(v);
   }
 
   /// Cells are the lines, then the triangles. `of_line` and `of_triangle` give the values.
@@ -140,6 +153,32 @@ class VtpWriter {
           },
           [&](std::size_t t) -> Int { return k_.triangle[t].governors[side].value; });
     }
+    angles(beside);
+  }
+
+  void angles(const std::vector<const ComplexTriangle*>& beside) {
+    if (!result_.angles) return;
+    const PartAngles& angles = *result_.angles;
+    const auto of_line = [&](std::size_t e) -> AngleInterval {
+      const auto seam = result_.parts.edge_seam[e];
+      if (seam != Parts::kNoSeam) return angles.seam[seam];
+      if (k_.edge[e].kind == ComplexEdge::Kind::kConvexEdge || beside[e] == nullptr) return {0, 0};
+      return angles.sheet[result_.parts.triangle_sheet[static_cast<std::size_t>(
+          beside[e] - k_.triangle.data())]];
+    };
+    const auto of_triangle = [&](std::size_t t) {
+      return angles.sheet[result_.parts.triangle_sheet[t]];
+    };
+    cell_array<double>(
+        "angle_lo", [&](std::size_t e) { return of_line(e).lo; },
+        [&](std::size_t t) { return of_triangle(t).lo; });
+    cell_array<double>(
+        "angle_hi", [&](std::size_t e) { return of_line(e).hi; },
+        [&](std::size_t t) { return of_triangle(t).hi; });
+    const CellValues& value = result_.filtration->value;
+    cell_array<double>(
+        "theta", [&](std::size_t e) { return value.edge[e]; },
+        [&](std::size_t t) { return value.triangle[t]; });
   }
 
   void points() {

@@ -9,6 +9,7 @@
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/engine_set.hpp"
+#include "part_angles.hpp"
 
 namespace blum {
 namespace {
@@ -56,11 +57,12 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
 
 }  // namespace
 
-Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options) {
-  if (options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
+Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
+                                         const AngleOptions& angles) {
+  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
       !(options.max_leaf_diameter >= 0))
     return Error{ErrorCode::kBadArgument,
-                 "max_depth, threads, time_limit_s or max_leaf_diameter out of range",
+                 "max_depth, threads, time_limit_s, max_leaf_diameter or tolerance_deg out of range",
                  "",
                  {}};
   MedialResult result;
@@ -92,8 +94,19 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
     // M ≃ O: a disagreement would be a defect of this program, and must not leave it as an answer.
     BLUM_CHECK(result.betti == result.solid_betti);
   }
-  result.stages = engines.stages();
   result.time.assemble_s = seconds_since(middle);
+  if (angles.wanted) {
+    const auto late = std::chrono::steady_clock::now();
+    result.angles = part_angles(geometry, subdivided.value(), engines, result.complex,
+                                result.parts, angles);
+    result.filtration = filter(result.complex, result.parts,
+                               cell_costs(result.complex, result.parts, *result.angles));
+    result.time.angles_s = seconds_since(late);
+    watch.rethrow();
+    if (watch.look() == Stop::kInterrupted)
+      return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
+  }
+  result.stages = engines.stages();
   return result;
 }
 

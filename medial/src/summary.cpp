@@ -112,6 +112,23 @@ std::string summary_json(const SummaryInput& input) {
       {"version", input.version},
   };
   if (input.flattened != nullptr) json["coplanar"] = to_json(*input.flattened);
+  if (r.angles) {
+    json["angles"] = {{"boxes", r.angles->boxes},
+                      {"parts_wider", r.angles->wide},
+                      {"widest_deg", r.angles->widest_deg},
+                      {"time_s", r.time.angles_s}};
+  }
+  if (input.pruned != nullptr) {
+    const ShapeCounts shape = count_shapes(input.pruned->complex);
+    json["pruned"] = {{"theta_deg", input.theta_deg},
+                      {"method", input.simplify == Simplify::kHomotopy ? "hma" : "sma"},
+                      {"betti", input.pruned->betti},
+                      {"sheets", shape.sheets},
+                      {"seams", shape.seams},
+                      {"curves", shape.curves},
+                      {"junctions", shape.junctions},
+                      {"area", shape.area}};
+  }
   if (!r.undecided.empty()) {
     for (const auto& [reason, count] : by_reason(r.undecided)) {
       json["undecided_by_reason"][undecided_reason_name(reason)] = count;
@@ -150,6 +167,21 @@ std::string summary_text(const SummaryInput& input) {
   text += "cells      " + counted(r.leaves, "leaf cell") + ", deepest " +
           counted(static_cast<std::size_t>(r.max_depth), "bisection") + '\n';
   append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);
+
+  if (r.angles) {
+    append(text,
+           "angles     widest interval %.3g degrees, %zu parts wider than asked for; %.3f s\n",
+           r.angles->widest_deg, r.angles->wide, r.time.angles_s);
+  }
+  if (input.pruned != nullptr) {
+    const ShapeCounts shape = count_shapes(input.pruned->complex);
+    append(text, "pruned     theta %g (%s): ", input.theta_deg,
+           input.simplify == Simplify::kHomotopy ? "hma" : "sma");
+    text += counted(shape.sheets, "sheet") + ", " + counted(shape.seams, "seam") + ", " +
+            counted(shape.curves, "curve") + ", " + counted(shape.junctions, "junction");
+    append(text, ", Betti numbers %ld %ld %ld\n", input.pruned->betti[0], input.pruned->betti[1],
+           input.pruned->betti[2]);
+  }
 
   const double decisions =
       static_cast<double>(r.stages.filter + r.stages.extended + r.stages.exact);

@@ -43,6 +43,9 @@ struct TextFile {
 ///   PointData: radius, on_axis (0/1), kind (ComplexVertex::Kind).
 ///   CellData:  sheet (-1 on lines), seam (-1 off seams), governor_a, governor_b (site ids; -1 on
 ///              seams, which have more than two).
+///              With angles: angle_lo, angle_hi (degrees, of the part that point or cell belongs
+///              to) and theta (the value of the filtration: it stays up to this angle; 360:
+///              always), in PointData too.
 ///   FieldData: governor_offset (points + 1 entries) and governor: the governors of point i are
 ///              governor[governor_offset[i] .. governor_offset[i + 1]); site_counts (vertices,
 ///              edges, triangles): a site id counts through the three in this order; solid_points,

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "blum/kernel/result.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/kernel/stage.hpp"
+#include "blum/medial/angles.hpp"
 #include "blum/medial/complex.hpp"
 #include "blum/medial/parts.hpp"
 #include "blum/subdivision/subdivision.hpp"
@@ -24,13 +26,15 @@ struct UndecidedCell {
 };
 
 struct PhaseTimes {
-  double subdivide_s = 0, assemble_s = 0;
+  double subdivide_s = 0, assemble_s = 0, angles_s = 0;
 };
 
 struct MedialResult {
   bool certified = false;
   CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
+  std::optional<PartAngles> angles;  ///< if wanted; the filtration by them too
+  std::optional<Filtration> filtration;
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
   std::size_t leaves = 0;
@@ -49,7 +53,9 @@ struct MedialResult {
 /// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
 /// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
 /// and all cells that meet the axis are listed.
+/// Where the time ends while angles are bounded, these stay wider.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
-                                                       const MedialOptions& options);
+                                                       const MedialOptions& options,
+                                                       const AngleOptions& angles = {});
 
 }  // namespace blum

@@ -7,6 +7,7 @@
 #include "blum/kernel/flatten.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/medial/medial_axis.hpp"
+#include "blum/medial/simplify.hpp"
 
 namespace blum {
 
@@ -19,6 +20,9 @@ struct SummaryInput {
   double total_s = 0;
   std::uint64_t peak_memory_bytes = 0;
   std::string version;
+  const MedialResult* pruned = nullptr;  ///< simplified(), if the files hold that
+  double theta_deg = 0;
+  Simplify simplify = Simplify::kHomotopy;
   const FlattenReport* flattened = nullptr;  ///< what was changed before, if anything was asked for
 };
 
@@ -37,7 +41,11 @@ struct SummaryInput {
 /// solid was flattened there is "coplanar": {"tolerance","vertices_moved","largest_displacement",
 /// "slivers_dropped","flat_edges_before","flat_edges_after","nearly_flat_edges_before",
 /// "nearly_flat_edges_left"}; "solid" and all that follows are then about the changed solid.
-/// Numbers that are not finite become null. Requires solid and result.
+/// Only if angles were wanted there is "angles": {"boxes","parts_wider","widest_deg","time_s"}, and
+/// only if the files hold a simplified axis "pruned":
+/// {"theta_deg","method","betti","sheets","seams", "curves","junctions","area"}, counted anew
+/// (count_shapes); "result" is about the whole axis. Numbers that are not finite become null.
+/// Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
 /// The same for people: lines, each ended by a line break.

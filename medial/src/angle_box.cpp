@@ -1,0 +1,136 @@
+#include "angle_box.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace blum {
+namespace {
+
+/// Is every point with these groups counted by a sheet or a seam of the leaf?
+class Represented {
+ public:
+  explicit Represented(const LeafParts& leaf) : leaf_(leaf) {}
+
+  [[nodiscard]] bool by_arc(GroupSet g, GroupSet h) const {
+    return std::any_of(leaf_.arc.begin(), leaf_.arc.end(), [&](const auto& arc) {
+      // Where a side may be one of several groups it is not certain that the arc is between these.
+      if (!std::has_single_bit(arc.a) || !std::has_single_bit(arc.b)) return false;
+      return (within(g, arc.a) && within(h, arc.b)) || (within(h, arc.a) && within(g, arc.b));
+    });
+  }
+  [[nodiscard]] bool pair(GroupSet g, GroupSet h) const {
+    return by_arc(g, h) || ((g & h) == 0 && in_seam(g | h));
+  }
+  /// All sets of three or more groups in `present`.
+  [[nodiscard]] bool triples(GroupSet present) const {
+    if (std::popcount(present) < 3 || in_seam(present)) return true;
+    std::vector<GroupSet> bits;
+    for (GroupSet rest = present; rest != 0; rest &= rest - 1) bits.push_back(rest & -rest);
+    for (std::size_t i = 0; i < bits.size(); ++i)
+      for (std::size_t j = i + 1; j < bits.size(); ++j)
+        for (std::size_t k = j + 1; k < bits.size(); ++k)
+          if (!in_seam(bits[i] | bits[j] | bits[k])) return false;
+    // Each triple is in some seam's set, but four groups need not be.
+    return std::popcount(present) == 3;
+  }
+
+ private:
+  static bool within(GroupSet g, GroupSet set) { return (g & ~set) == 0; }
+  [[nodiscard]] bool in_seam(GroupSet g) const {
+    return std::any_of(leaf_.seam.begin(), leaf_.seam.end(),
+                       [&](const auto& s) { return within(g, s.certain); });
+  }
+  const LeafParts& leaf_;
+};
+
+struct Member {
+  SiteView view;
+  GroupSet group = 0;
+};
+
+}  // namespace
+
+bool TiePairs::never(SiteId a, SiteId b) {
+  if (b < a) std::swap(a, b);
+  const auto [it, fresh] = never_.try_emplace((std::uint64_t{a.value} << 32) | b.value, false);
+  if (fresh) it->second = engine_.predicates().never_essential(a, b);
+  return it->second;
+}
+
+AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const LeafParts& leaf,
+                        const AngleRole& role, const AngleBox& box) {
+  std::vector<Member> member;
+  GroupSet present = 0;
+  for (const SiteId s : box.candidates) {
+    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
+    present |= member.back().group;
+  }
+  using Kind = AngleRole::Kind;
+  const Represented represented(leaf);
+  if (role.kind == Kind::kArc && (!(present & role.a) || !(present & role.b))) return {};
+  const bool many = role.kind == Kind::kRest
+                        ? !represented.triples(present)
+                        : role.kind == Kind::kSeam && std::popcount(present & role.a) >= 3;
+  // A pair counts not at all, with others, or by itself. Two feet of a point between two groups may
+  // be in one of them, but it has a foot in either.
+  enum Count { kNot, kBeside, kItself };
+  const auto count = [&](GroupSet g, GroupSet h) {
+    switch (role.kind) {
+      case Kind::kArc: {
+        if (((g & role.a) && (h & role.b)) || ((g & role.b) && (h & role.a))) return kItself;
+        const GroupSet both = role.a | role.b;
+        return (g & both) && (h & both) ? kBeside : kNot;
+      }
+      case Kind::kSeam:
+        if (!(g & role.a) || !(h & role.a)) return kNot;
+        return many || ((g & h) == 0 && !represented.by_arc(g, h)) ? kItself : kNot;
+      case Kind::kRest:
+        return many || !represented.pair(g, h) ? kItself : kNot;
+    }
+    return kItself;
+  };
+  const double radius = radius_of(box.box);
+  AngleBound best[3];
+  for (std::size_t i = 0; i < member.size(); ++i)
+    for (std::size_t j = i + 1; j < member.size(); ++j) {
+      const Member &a = member[i], &b = member[j];
+      const Count c = count(a.group, b.group);
+      if (c == kNot) continue;
+      const double hi = angle_at_most(a.view, b.view);
+      if (hi <= best[c].hi || !may_tie(a.view, b.view, radius)) continue;
+      if (pairs.never(a.view.site, b.view.site)) continue;
+      best[c] = {hi, a.view.site, b.view.site};
+    }
+  if (best[kItself].hi == 0) return {};
+  return best[kBeside].hi > best[kItself].hi ? best[kBeside] : best[kItself];
+}
+
+std::optional<double> least_at_junction(const SiteGeometry& geometry, const LeafParts& leaf,
+                                        const AngleBox& box) {
+  std::vector<Member> member;
+  GroupSet present = 0;
+  for (const SiteId s : box.candidates) {
+    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
+    present |= member.back().group;
+  }
+  if (std::popcount(present) != 4) return std::nullopt;
+  const double radius = radius_of(box.box);
+  double largest = 0;
+  for (GroupSet g = present; g != 0; g &= g - 1)
+    for (GroupSet h = g & (g - 1); h != 0; h &= h - 1) {
+      double least = kPi;
+      bool tie = false;
+      for (const Member& a : member)
+        for (const Member& b : member) {
+          if (!(a.group & (g & -g)) || !(b.group & (h & -h)) || &a == &b) continue;
+          if (!may_tie(a.view, b.view, radius)) continue;
+          tie = true;
+          least = std::min(least, angle_at_least(a.view, b.view));
+        }
+      if (!tie) return std::nullopt;
+      largest = std::max(largest, least);
+    }
+  return largest;
+}
+
+}  // namespace blum

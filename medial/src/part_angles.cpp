@@ -1,0 +1,395 @@
+// Branch and bound. Every part has tasks, one for each role it plays in a leaf; every task begins
+// with the box of its leaf. The box with the largest upper bound is bisected until it is within the
+// tolerance of the largest angle that some point certainly has.
+
+#include "part_angles.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "angle_witness.hpp"
+#include "blum/kernel/check.hpp"
+#include "blum/subdivision/parallel.hpp"
+
+namespace blum {
+namespace {
+
+constexpr double kDegrees = 180 / kPi;
+/// Bisections stop at boxes of this size (working units): Newton's method and the exact tests at
+/// points have done all they can long before.
+constexpr double kSmallest = 1e-9;
+constexpr int kJunctionRounds = 16;  // bisections along each axis
+constexpr std::size_t kMostJunctionBoxes = 256;
+constexpr int kStarts = 24;    // vertices of K where a witness is looked for
+constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
+
+struct Task {
+  std::uint32_t leaf = 0;  // index into the list of LeafParts
+  AngleRole role;
+};
+
+struct Item {
+  AngleBound bound;
+  std::uint32_t task = 0;
+  AngleBox box;
+  friend bool operator<(const Item& a, const Item& b) { return a.bound.hi < b.bound.hi; }
+};
+
+/// Where to look for a witness: near a point of K on the part.
+struct Start {
+  std::uint32_t task = 0;
+  Point3 x;
+  double reach = 0;  // seams are looked for in a box of this half width
+  SiteId a{}, b{};   // sheets: one governor on each side
+};
+
+/// What one thread works with.
+struct Tools {
+  ProductionEngine& engine;
+  TiePairs pairs;
+  AngleWitness witness;
+};
+
+class PartBound {
+ public:
+  PartBound(const SiteGeometry& geometry, const Subdivision& subdivision,
+            const std::vector<LeafParts>& leaves, const std::vector<Task>& tasks,
+            const AngleOptions& options, const std::atomic<bool>& stop, Tools& tools)
+      : geometry_(geometry),
+        subdivision_(subdivision),
+        leaves_(leaves),
+        tasks_(tasks),
+        tolerance_(options.tolerance_deg / kDegrees),
+        budget_(options.boxes_per_part),
+        stop_(stop),
+        tools_(tools) {}
+
+  /// Starts: where witnesses are looked for first.
+  [[nodiscard]] AngleInterval run(const std::vector<Start>& starts);
+  [[nodiscard]] std::size_t boxes() const { return boxes_; }
+
+ private:
+  void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
+  void add_root(std::uint32_t task);
+  void find_junction();
+  void divide(const Item& item);
+  void seek(std::uint32_t task, const AngleBox& within, const Box3& search, const AngleBound& top);
+
+  const SiteGeometry& geometry_;
+  const Subdivision& subdivision_;
+  const std::vector<LeafParts>& leaves_;
+  const std::vector<Task>& tasks_;
+  const double tolerance_;
+  const std::size_t budget_;
+  const std::atomic<bool>& stop_;
+  Tools& tools_;
+  std::vector<Item> heap_;
+  double lo_ = 0;
+  double settled_ = 0;  // bound of boxes that are not looked at any more
+  std::size_t boxes_ = 0;
+  int idle_ = 0;  // boxes since the last better witness
+};
+
+void PartBound::add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates) {
+  ++boxes_;
+  Item item;
+  item.task = task;
+  item.box.box = box;
+  if (!stop_) item.box.candidates = tools_.engine.prune(candidates, box.lo, box.hi);
+  const Task& t = tasks_[task];
+  item.bound = stop_ ? AngleBound{kPi, {}, {}}
+                     : bound_in_box(geometry_, tools_.pairs, leaves_[t.leaf], t.role, item.box);
+  if (!(item.bound.hi > lo_)) return;
+  heap_.push_back(std::move(item));
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+/// The facets of a box that do not hold v.
+std::vector<Box3> facets_away_from(const Box3& box, const Point3& v) {
+  std::vector<Box3> facets;
+  for (int k = 0; k < 3; ++k) {
+    if (box.lo[k] == box.hi[k]) continue;
+    for (const double level : {box.lo[k], box.hi[k]}) {
+      if (level == v[k]) continue;
+      facets.push_back(box);
+      facets.back().lo[k] = facets.back().hi[k] = level;
+    }
+  }
+  return facets;
+}
+
+void PartBound::add_root(std::uint32_t task) {
+  const LeafParts& parts = leaves_[tasks_[task].leaf];
+  const Leaf& leaf = subdivision_.leaf[parts.leaf];
+  if (!parts.conical) {
+    add(task, leaf.box, leaf.candidates);
+    return;
+  }
+  // A cone: every angle in the leaf is one on its surface.
+  for (const Box3& facet :
+       facets_away_from(leaf.box, geometry_.solid().point[leaf.boundary_vertex]))
+    add(task, facet, leaf.candidates);
+}
+
+/// The vertex of the boundary that lies in the box and that all candidates have, if there is one:
+/// the axis in the box is then a cone about it (Theorem B), and so are the angles.
+std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry, const AngleBox& box) {
+  if (box.candidates.empty()) return std::nullopt;
+  int count = 0;
+  const auto corner = geometry.corners(box.candidates.front(), count);
+  for (int k = 0; k < count; ++k) {
+    const auto v = corner[static_cast<std::size_t>(k)];
+    const Point3& p = geometry.solid().point[v];
+    bool good = true;
+    for (int i = 0; i < 3; ++i) good &= p[i] >= box.box.lo[i] && p[i] <= box.box.hi[i];
+    for (const SiteId s : box.candidates) good = good && geometry.has_corner(s, v);
+    if (good) return v;
+  }
+  return std::nullopt;
+}
+
+void PartBound::divide(const Item& item) {
+  const Box3& box = item.box.box;
+  bool solid_box = true;
+  int axis = 0;
+  for (int k = 0; k < 3; ++k) {
+    solid_box &= box.hi[k] > box.lo[k];
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  }
+  if (solid_box)
+    if (const auto v = common_vertex(geometry_, item.box)) {
+      for (const Box3& facet : facets_away_from(box, geometry_.solid().point[*v]))
+        add(item.task, facet, item.box.candidates);
+      return;
+    }
+  // Not in the middle, where symmetric models have their symmetries.
+  const double cut = box.lo[axis] + 0.4878 * (box.hi[axis] - box.lo[axis]);
+  if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
+    settled_ = std::max(settled_, item.bound.hi);
+    return;
+  }
+  Box3 low = box, high = box;
+  low.hi[axis] = high.lo[axis] = cut;
+  add(item.task, low, item.box.candidates);
+  add(item.task, high, item.box.candidates);
+}
+
+void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& search,
+                     const AngleBound& top) {
+  const Task& t = tasks_[task];
+  std::optional<double> found;
+  if (t.role.kind == AngleRole::Kind::kArc)
+    found =
+        tools_.witness.on_sheet(leaves_[t.leaf], t.role, within, center_of(search), top.a, top.b);
+  else if (t.role.kind == AngleRole::Kind::kSeam)
+    found = tools_.witness.on_seam(leaves_[t.leaf], t.role, within, search);
+  if (found && *found > lo_) {
+    lo_ = *found;
+    idle_ = 0;
+  }
+}
+
+/// In a leaf with the shape of a junction there is a point with feet in all four groups: the closed
+/// pieces of the leaf cover it, and on its surface they lie as the stars of a tetrahedron's corners
+/// do, so they have a common point (the lemma of Knaster, Kuratowski and Mazurkiewicz). It is in
+/// one of the boxes that may hold such points.
+void PartBound::find_junction() {
+  if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
+  if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
+  const LeafParts& parts = leaves_[tasks_[0].leaf];
+  const Leaf& leaf = subdivision_.leaf[parts.leaf];
+  std::vector<AngleBox> boxes{{leaf.box, leaf.candidates}};
+  // Few boxes hold such points when they are small.
+  for (int round = 0; round < 3 * kJunctionRounds && !stop_; ++round) {
+    std::vector<AngleBox> halves;
+    double least = kPi, most = 0;
+    for (const AngleBox& b : boxes) {
+      int axis = 0;
+      for (int k = 1; k < 3; ++k)
+        if (b.box.hi[k] - b.box.lo[k] > b.box.hi[axis] - b.box.lo[axis]) axis = k;
+      const double cut = b.box.lo[axis] + 0.4878 * (b.box.hi[axis] - b.box.lo[axis]);
+      for (const bool high : {false, true}) {
+        AngleBox half = b;
+        (high ? half.box.lo : half.box.hi)[axis] = cut;
+        half.candidates = tools_.engine.prune(b.candidates, half.box.lo, half.box.hi);
+        ++boxes_;
+        const auto at_least = least_at_junction(geometry_, parts, half);
+        if (!at_least) continue;
+        least = std::min(least, *at_least);
+        most =
+            std::max(most, bound_in_box(geometry_, tools_.pairs, parts, tasks_[0].role, half).hi);
+        halves.push_back(std::move(half));
+      }
+    }
+    if (halves.empty() || halves.size() > kMostJunctionBoxes) return;
+    boxes = std::move(halves);
+    lo_ = std::max(lo_, least);
+    if (most <= lo_ + 0.5 * tolerance_) return;
+  }
+}
+
+AngleInterval PartBound::run(const std::vector<Start>& starts) {
+  for (std::uint32_t t = 0; t < tasks_.size(); ++t) add_root(t);
+  const auto top = [&] { return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_); };
+  for (const Start& s : starts) {
+    if (top() <= lo_ + tolerance_ || stop_) break;
+    const Task& t = tasks_[s.task];
+    const Leaf& leaf = subdivision_.leaf[leaves_[t.leaf].leaf];
+    Box3 search = leaf.box;
+    for (int k = 0; k < 3; ++k) {
+      search.lo[k] = std::clamp(s.x[k] - s.reach, leaf.box.lo[k], leaf.box.hi[k]);
+      search.hi[k] = std::clamp(s.x[k] + s.reach, leaf.box.lo[k], leaf.box.hi[k]);
+    }
+    seek(s.task, {leaf.box, leaf.candidates}, search, {0, s.a, s.b});
+  }
+  find_junction();
+  while (!heap_.empty() && top() > lo_ + tolerance_ && boxes_ < budget_ && !stop_) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Item item = std::move(heap_.back());
+    heap_.pop_back();
+    if (!(item.bound.hi > lo_)) continue;
+    ++idle_;
+    if (idle_ < kPatience || idle_ % kPatience == 0)
+      seek(item.task, item.box, item.box.box, item.bound);
+    divide(item);
+  }
+  const double hi = std::max(top(), settled_);
+  // The conversion errs by less than 4 ulp of 180.
+  return {std::max(0.0, lo_ * kDegrees - 1e-12), std::min(180.0, hi * kDegrees + 1e-12)};
+}
+
+/// Which tasks each part has, and where witnesses may be found.
+struct Plan {
+  std::vector<std::vector<Task>> tasks;  // by part
+  std::vector<std::vector<Start>> starts;
+};
+
+Plan plan_of(const Solid& solid, const std::vector<LeafParts>& leaves, const CellComplex& complex,
+             const Parts& parts, const PartNumbers& number) {
+  Plan plan;
+  plan.tasks.resize(number.count());
+  plan.starts.resize(number.count());
+  std::vector<std::uint32_t> list_of;  // leaf -> index in `leaves`
+  for (std::uint32_t l = 0; l < leaves.size(); ++l) {
+    const LeafParts& leaf = leaves[l];
+    if (leaf.leaf >= list_of.size()) list_of.resize(leaf.leaf + 1, 0);
+    list_of[leaf.leaf] = l;
+    for (const auto& a : leaf.arc)
+      plan.tasks[a.sheet].push_back({l, {AngleRole::Kind::kArc, a.a, a.b}});
+    for (const auto& s : leaf.seam)
+      plan.tasks[number.seam(s.seam)].push_back({l, {AngleRole::Kind::kSeam, s.groups, 0}});
+    for (const auto p : leaf.rest) plan.tasks[p].push_back({l, {AngleRole::Kind::kRest, 0, 0}});
+  }
+  const auto to_working = [&](const Point3& p) {
+    Point3 x;
+    for (int k = 0; k < 3; ++k)
+      x[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
+    return x;
+  };
+  const auto offer = [&](std::uint32_t part, Start start, std::uint32_t leaf) {
+    auto& starts = plan.starts[part];
+    if (starts.size() >= 8 * kStarts) return;
+    const auto& tasks = plan.tasks[part];
+    for (start.task = 0; start.task < tasks.size(); ++start.task)
+      if (tasks[start.task].leaf == leaf && tasks[start.task].role.kind != AngleRole::Kind::kRest) {
+        starts.push_back(start);
+        return;
+      }
+  };
+  const auto between = [](const Point3& p, const Point3& q, double s) {
+    return Point3{p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z)};
+  };
+  for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
+    const ComplexTriangle& triangle = complex.triangle[t];
+    const auto l = list_of[complex.cone[triangle.cone].leaf];
+    const Point3 apex = to_working(complex.vertex[complex.cone[triangle.cone].apex].position);
+    const auto& base = complex.edge[triangle.edge[0]].vertex;
+    const std::array<Point3, 2> end{to_working(complex.vertex[base[0]].position),
+                                    to_working(complex.vertex[base[1]].position)};
+    for (const double along : {0.5, 0.1, 0.9})
+      for (const double up : {0.0, 0.3})
+        offer(parts.triangle_sheet[t],
+              {0, between(between(end[0], end[1], along), apex, up), 0, triangle.governors[0],
+               triangle.governors[1]},
+              l);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto seam = parts.edge_seam[triangle.edge[1 + k]];
+      if (seam == Parts::kNoSeam) continue;
+      const double length = std::hypot(apex.x - end[k].x, apex.y - end[k].y, apex.z - end[k].z);
+      for (const auto& [up, reach] : {std::pair{0.0, 0.0}, {0.15, 0.1}, {0.5, 0.3}})
+        offer(number.seam(seam), {0, between(end[k], apex, up), reach * length, {}, {}}, l);
+    }
+  }
+  for (auto& starts : plan.starts) {
+    std::vector<Start> some;
+    const std::size_t step = std::max<std::size_t>(1, starts.size() / kStarts);
+    for (std::size_t k = 0; k < starts.size(); k += step) some.push_back(starts[k]);
+    starts = std::move(some);
+  }
+  return plan;
+}
+
+}  // namespace
+
+PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
+                       EngineSet& engines, const CellComplex& complex, const Parts& parts,
+                       const AngleOptions& options) {
+  const PartNumbers number = part_numbers(complex, parts);
+  const VertexParts vertex = vertex_parts(complex, parts);
+  const auto leaves = leaf_parts(geometry, subdivision, complex, parts);
+  const Plan plan = plan_of(geometry.solid(), leaves, complex, parts, number);
+
+  std::vector<AngleInterval> interval(number.count(), {0, 0});
+  std::vector<std::size_t> boxes(number.count(), 0);
+  std::vector<Tools> tools;
+  for (int t = 0; t < engines.threads(); ++t) {
+    ProductionEngine& engine = engines.production(t);
+    tools.push_back({engine, TiePairs(engine), AngleWitness(geometry, engine, engines.inside())});
+  }
+  const std::atomic<bool>& stop = engines.watch().flag();
+  for_each_in_parallel(engines.threads(), number.count(), [&](int thread, std::size_t p) {
+    if (plan.tasks[p].empty()) return;
+    PartBound bound(geometry, subdivision, leaves, plan.tasks[p], options, stop,
+                    tools[static_cast<std::size_t>(thread)]);
+    interval[p] = bound.run(plan.starts[p]);
+    boxes[p] = bound.boxes();
+  });
+
+  PartAngles angles;
+  angles.is_node = vertex.is_node;
+  angles.sheet.assign(interval.begin(), interval.begin() + number.sheets);
+  angles.seam.assign(interval.begin() + number.sheets,
+                     interval.begin() + number.sheets + number.seams);
+  for (std::uint32_t v = 0; v < complex.vertex.size(); ++v)
+    angles.vertex.push_back(vertex.part[v] == VertexParts::kNone ? AngleInterval{0, 0}
+                                                                 : interval[vertex.part[v]]);
+  for (const auto n : boxes) angles.boxes += n;
+  const auto count = [&](const AngleInterval& i) {
+    angles.widest_deg = std::max(angles.widest_deg, i.width());
+    angles.wide += i.width() > options.tolerance_deg ? 1 : 0;
+  };
+  for (const auto& i : angles.sheet) count(i);
+  for (const auto& i : angles.seam) count(i);
+  for (std::uint32_t c = 0; c < complex.cone.size(); ++c)
+    if (parts.cone_shape[c] == ConeShape::kJunction) count(angles.vertex[complex.cone[c].apex]);
+  return angles;
+}
+
+CellValues cell_costs(const CellComplex& complex, const Parts& parts, const PartAngles& angles) {
+  CellValues cost;
+  for (const AngleInterval& i : angles.vertex) cost.vertex.push_back(i.hi);
+  cost.edge.assign(complex.edge.size(), 0);
+  for (std::size_t t = 0; t < complex.triangle.size(); ++t) {
+    cost.triangle.push_back(angles.sheet[parts.triangle_sheet[t]].hi);
+    for (const auto e : complex.triangle[t].edge)
+      if (complex.edge[e].kind != ComplexEdge::Kind::kConvexEdge)
+        cost.edge[e] = std::max(cost.edge[e], cost.triangle[t]);
+  }
+  for (std::size_t e = 0; e < complex.edge.size(); ++e)
+    if (parts.edge_seam[e] != Parts::kNoSeam) cost.edge[e] = angles.seam[parts.edge_seam[e]].hi;
+  return cost;
+}
+
+}  // namespace blum

@@ -1,0 +1,15 @@
+/// Certified separation angles of all parts, by branch and bound over the leaves.
+#pragma once
+
+#include "blum/medial/angles.hpp"
+#include "blum/subdivision/engine_set.hpp"
+
+namespace blum {
+
+/// The same for any number of threads, unless the run's watch fires: bounds are then as wide as
+/// they are at that time, and still right.
+[[nodiscard]] PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
+                                     EngineSet& engines, const CellComplex& complex,
+                                     const Parts& parts, const AngleOptions& options);
+
+}  // namespace blum
