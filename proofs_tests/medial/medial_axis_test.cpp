@@ -1,4 +1,4 @@
-// From a solid to its axis in one call: budgets, hints, engines, thin solids.
+// From a solid to its axis in one call: budgets, hints, engines.
 
 #include "blum/medial/medial_axis.hpp"
 
@@ -176,32 +176,6 @@ TEST(SweepEngines, MoreSolidsAndSeeds_GiveTheSameAnswer) {
       SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
       compare_engines(s.mesh, seed);
     }
-}
-
-// Thin solids ---------------------------------------------------------------------------------
-
-TEST(ThinSolids, LargeAspect_CostsFewLeaves) {
-  for (const double t : {1e-3, 1e-6, 0x1p-10, 0x1p-20}) {
-    const std::vector<Scene> solids{
-        {"plate", shapes::cuboid(1, 1.5, t)},
-        {"needle", shapes::cuboid(t, 1.5 * t, 1)},
-        {"lbracket", shapes::lbracket(4, 3, t, 2)},
-        {"plate with a hole", shapes::plate(1, 6, 2, t)},
-        {"thin walls", test::thin_walled_box(3, 4, 5, t)},
-        {"rotated plate", test::rotated(shapes::cuboid(1, 1.5, t))},
-        {"rotated lbracket", test::rotated(shapes::lbracket(4, 3, t, 2))}};
-    for (const Scene& s : solids)
-      for (const std::uint64_t seed : {1, 2}) {
-        SCOPED_TRACE(s.name + ", thickness " + std::to_string(t) + ", seed " +
-                     std::to_string(seed));
-        MedialOptions o = seeded(seed);
-        o.time_limit_s = 60;
-        const MedialResult r = axis(s.mesh, o);
-        expect_certified(r);
-        EXPECT_LT(static_cast<double>(r.leaves), 0.3 / t);
-        EXPECT_LT(r.leaves, 3000u);
-      }
-  }
 }
 
 }  // namespace
