@@ -19,7 +19,7 @@ struct Entry {
   std::string name;
   Betti betti{};
   std::function<PolygonMesh()> mesh;  // no points: the model is missing
-  double time_limit_s = 120;          // of one run
+  double time_limit_s = 600;          // of one run
 };
 
 std::ostream& operator<<(std::ostream& out, const Entry& e) { return out << e.name; }
