@@ -81,7 +81,7 @@ inline Change scaled_by(int exponent) {
           [exponent](const PolygonMesh& m) { return scaled(m, exponent); }};
 }
 
-/// With five random rotations.
+/// The last five are random rotations.
 inline std::vector<Change> all_changes() {
   std::vector<Change> changes{as_it_is(),
                               turned_exactly({2, 1, 0, 0}),
