@@ -3,7 +3,8 @@
 
     bench_medial --benchmark_out=before.json --benchmark_out_format=json
     compare.py before.json after.json [--limit 1.25]    times and counters side by side
-    compare.py --growth run.json [--size faces]         exponents p in time ~ size^p
+    compare.py --growth run.json [--size sites] [--of leaves,peak_bytes]
+                            exponents p in time ~ size^p, and of the counters
 
 With --limit, exit code 1 if a benchmark takes more than that many times as long as before, or
 fails where it did not. Benchmarks that repeat are compared by the median of their repetitions.
@@ -12,6 +13,7 @@ fails where it did not. Benchmarks that repeat are compared by the median of the
 import argparse
 import json
 import math
+import re
 import statistics
 import sys
 
@@ -30,7 +32,8 @@ def load(path):
     runs = {}
     for row in rows:
         if row.get("run_type", "iteration") == "iteration":
-            runs.setdefault(row["run_name"], []).append(row)
+            name = re.sub(r"/iterations:\d+", "", row["run_name"])
+            runs.setdefault(name, []).append(row)
     result = {}
     for name, repeats in runs.items():
         good = [r for r in repeats if not r.get("error_occurred")]
@@ -74,26 +77,44 @@ def compare(before, after, limit):
     return 1 if bad and limit is not None else 0
 
 
-def growth(runs, size):
-    """Exponents between neighbours in size, in each family (the name up to its last '/')."""
+def slope(points):
+    """Least squares, of log y against log x."""
+    logs = [(math.log(x), math.log(y)) for x, y in points]
+    x, y = (statistics.fmean(column) for column in zip(*logs))
+    return sum((a - x) * (b - y) for a, b in logs) / sum((a - x) ** 2 for a, _ in logs)
+
+
+def growth(runs, size, counters):
+    """Exponents between neighbours in size, in each family (the name up to its last '/'), of the
+    time and of counters."""
     families = {}
     for name, run in runs.items():
         if run["time"] and run["counters"].get(size):
+            measured = [run["time"]] + [run["counters"].get(c) for c in counters]
             families.setdefault(name.rpartition("/")[0], []).append(
-                (run["counters"][size], run["time"], name))
+                (run["counters"][size], name, measured))
     for family, rows in families.items():
         rows.sort()
         sizes = {row[0] for row in rows}
         if len(sizes) < 2 or len(sizes) < len(rows) or family.count("/") < 1:
             continue
-        print("%s: %s" % (family, size))
-        for (n0, t0, _), (n1, t1, name) in zip(rows, rows[1:]):
-            print("    %-40s %10s  exponent %.2f" % (name, readable(t1),
-                                                    math.log(t1 / t0) / math.log(n1 / n0)))
-        logs = [(math.log(n), math.log(t)) for n, t, _ in rows]
-        x, y = (statistics.fmean(column) for column in zip(*logs))
-        slope = sum((a - x) * (b - y) for a, b in logs) / sum((a - x) ** 2 for a, _ in logs)
-        print("    %-40s %10s  exponent %.2f" % ("least squares", "", slope))
+        print("%-24s %10s" % (family, size) +
+              "".join("%12s %5s" % (c, "exp.") for c in ["time"] + counters))
+        before = None
+        for n, name, measured in rows:
+            line = "%-24s %10g" % (name.rpartition("/")[2], n)
+            for k, y in enumerate(measured):
+                line += "%12s" % (readable(y) if k == 0 else "-" if y is None else "%.6g" % y)
+                known = before and y and before[1][k]
+                line += " %5s" % ("%.2f" % slope([(before[0], before[1][k]), (n, y)])
+                                  if known else "")
+            print(line)
+            before = (n, measured)
+        line = "%-35s" % "least squares"
+        for k in range(1 + len(counters)):
+            points = [(n, m[k]) for n, _, m in rows if m[k]]
+            line += "%12s %5s" % ("", "%.2f" % slope(points) if len(points) > 1 else "-")
+        print(line)
     return 0
 
 
@@ -102,7 +123,9 @@ def main():
     parser.add_argument("runs", nargs="+", metavar="RUN.json")
     parser.add_argument("--limit", type=float)
     parser.add_argument("--growth", action="store_true")
-    parser.add_argument("--size", default="faces", help="counter that is the size (default: faces)")
+    parser.add_argument("--size", default="sites", help="counter that is the size (default: sites)")
+    parser.add_argument("--of", default="leaves,peak_bytes", metavar="COUNTERS",
+                        help="whose growth is shown beside the time's (default: leaves,peak_bytes)")
     arguments = parser.parse_args()
     if len(arguments.runs) != (1 if arguments.growth else 2):
         parser.error("two runs, or one with --growth")
@@ -112,7 +135,7 @@ def main():
         print("compare.py: %s" % error, file=sys.stderr)
         return 2
     if arguments.growth:
-        return growth(runs[0], arguments.size)
+        return growth(runs[0], arguments.size, arguments.of.split(","))
     return compare(runs[0], runs[1], arguments.limit)
 
 

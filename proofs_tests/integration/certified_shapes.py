@@ -6,7 +6,7 @@ SHAPES = (["cuboid 2 2 3", "lbracket", "lpocket", "plate 1 6", "plate 2 6", "voi
            "voids 3", "torus 8 4", "torus 16 8"]
           + [f"prism {n}{move}" for n in range(3, 17)
              for move in ["", " --move 1e-6", " --move 1e-12", " --move-ulps 1"]])
-# Rotated and rounded, not all can be certified yet: medial/medial_axis_models_test.cpp says which.
+# Turned in every way: medial/must_hold_test.cpp.
 ROTATED = [shape + " --rotate 1" for shape in SHAPES if not shape.startswith(("lpocket", "voids"))]
 
 
