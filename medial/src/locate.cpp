@@ -51,16 +51,17 @@ Placed Locator::event(const Rect& rect, const FaceNode& node, std::span<const Si
                hi = point_on(rect.axis, rect.level, node.u1, node.v1);
   const auto groups = engine_.tie_groups(candidates, lo, hi);
   const CommonPoint c = common_point(geometry_, groups, lo, hi);
-  if (c.gap <= kTieTolerance) {
+  const auto inside = [&](const Point3& x) {
+    return inside_.locate(x) == InsideOracle::Where::kInside;
+  };
+  // The node's rectangle may reach out of the solid, where faces have common points too.
+  if (c.gap <= kTieTolerance && inside(c.point)) {
     Placed p = anywhere(c.point, candidates);
     p.on_axis = true;
     return p;
   }
   // Several events, or none that is a common point: from the middle outwards.
   constexpr int kSteps = 8;
-  const auto inside = [&](const Point3& x) {
-    return inside_.locate(x) == InsideOracle::Where::kInside;
-  };
   Point3 best = c.point;
   if (groups.size() < 2 || !inside(best)) {
     double least = std::numeric_limits<double>::infinity();

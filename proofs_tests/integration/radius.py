@@ -22,18 +22,26 @@ class Radius(ToolTest):
                                 capture_output=True, cwd=self.folder, timeout=600)
         self.expect(result, 0)
 
+    def expect_on_axis(self, model, options):
+        result = subprocess.run([sys.executable, "-B", CHECKER, *options, "x.vtp", model],
+                                encoding="utf-8", capture_output=True, cwd=self.folder,
+                                timeout=600)
+        self.expect(result, 0)
+        checked = re.search(r"ok: (\d+) vertices on the axis", result.stdout)
+        self.assertTrue(checked, result.stdout)
+        self.assertGreater(int(checked[1]), 0)
+
     def test_axis_vertices_are_equally_far_from_their_governors(self):
         for shape, options in SHAPES.items():
             with self.subTest(shape):
                 self.expect(self.blum("make", *shape.split(), "-o", "x.off"), 0)
                 self.expect(self.blum("medial", "x.off"), 0)
-                result = subprocess.run([sys.executable, "-B", CHECKER, *options, "x.vtp", "x.off"],
-                                        encoding="utf-8", capture_output=True, cwd=self.folder,
-                                        timeout=600)
-                self.expect(result, 0)
-                checked = re.search(r"ok: (\d+) vertices on the axis", result.stdout)
-                self.assertTrue(checked, result.stdout)
-                self.assertGreater(int(checked[1]), 0)
+                self.expect_on_axis("x.off", options)
+
+    def test_an_event_whose_rectangle_reaches_out_of_the_solid(self):
+        model = SOURCE / "proofs_tests" / "fixtures" / "event_outside_the_solid.off"
+        self.expect(self.blum("medial", model, "-o", "x", "--seed", "431"), 0)
+        self.expect_on_axis(model, NEARLY_COPLANAR)
 
 
 if __name__ == "__main__":
