@@ -1,5 +1,9 @@
 option(BLUM_BUILD_TESTS "Build the test suite" ON)
 option(BLUM_BUILD_BENCH "Build the benchmarks" ON)
+# On by default where the tests are built and CGAL is there; off: nothing of CGAL is looked for.
+find_package(CGAL QUIET)
+option(BLUM_CGAL_ORACLES "Build blum-cgal-engine (needs CGAL's GPL packages)"
+       "${CGAL_FOUND}")
 option(BLUM_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

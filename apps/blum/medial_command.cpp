@@ -217,9 +217,11 @@ Command add_medial_command(CLI::App& app) {
       ->add_option("--write-flattened", arguments->flattened,
                    "Write the solid so changed to this file, as OFF")
       ->needs(coplanar);
-  medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
+  medial->add_option("--engine", options.engine, "production; brute: slow and all exact; cgal: CGAL's arrangements, for small\nsolids (needs blum-cgal-engine)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
-          {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
+          {"production", Engine::kProduction},
+          {"brute", Engine::kBrute},
+          {"cgal", Engine::kCgal}}))
       ->default_str("production");
   medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
       ->check(CLI::Range(0, 1'000'000))
