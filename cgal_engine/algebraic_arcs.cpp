@@ -58,6 +58,26 @@ AlgebraicArcs::Analysis AlgebraicArcs::analysis(const Curve& curve) const {
   return traits_.construct_curve_2_object()(polynomial(curve));
 }
 
+std::shared_ptr<const ExactPoint> AlgebraicArcs::exact_point(const Point& p) {
+  return std::make_shared<AlgebraicPoint>(real(p));
+}
+
+Arc AlgebraicArcs::segment(int line, const std::array<Rational, 2>& p,
+                           const std::array<Rational, 2>& q) const {
+  std::vector<boost::variant<Point, Arc>> parts;
+  traits_.make_x_monotone_2_object()(analysis_[at(line)], std::back_inserter(parts));
+  const Arc& whole = boost::get<Arc>(parts.at(0));
+  const auto point = [&](const std::array<Rational, 2>& a) {
+    const Quadratic level{0, 0, 0, 0, 1, Rational(0) - a[1]};
+    return Point(AlgebraicTraits::Algebraic_real_1(a[0]),
+                 whole.is_vertical() ? analysis(zeros(level).on.at(0)) : analysis_[at(line)], 0);
+  };
+  const Point a = point(p), b = point(q);
+  const bool ordered = p < q;
+  if (whole.is_vertical()) return Arc(ordered ? a : b, ordered ? b : a, analysis_[at(line)]);
+  return whole.trim(ordered ? a : b, ordered ? b : a);
+}
+
 Sample AlgebraicArcs::sample(const Arc& arc, int curve) const {
   const Quadratic q = quadratic(relevant_.curves.all()[at(curve)]);
   if (!arc.is_vertical()) {
@@ -85,8 +105,8 @@ Sample AlgebraicArcs::sample(const Arc& arc, int curve) const {
     const Rational v = (low.hi + high.lo) / Rational(2);
     std::size_t k = 0;
     if (r.count == 2) {
-      const auto middle = (r.root[0] + r.root[1]) / Root(Rational(2));
-      k = CGAL::compare(Rational(CGAL::to_double(arc.x())), middle.a0()) == CGAL::LARGER ? 1 : 0;
+      const Rational middle = Rational(0) - q.u / (Rational(2) * q.uu);
+      k = arc.x() > AlgebraicTraits::Algebraic_real_1(middle) ? 1 : 0;
     }
     return {r.root[k], Root(v)};
   }
@@ -181,7 +201,7 @@ PlanarCells AlgebraicArcs::cells(const std::vector<Arc>& arcs,
   for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
     vertex[&*v] = static_cast<int>(out.vertex.size());
     PlanarCells::Vertex node;
-    node.point = std::make_shared<AlgebraicPoint>(real(v->point()));
+    node.point = exact_point(v->point());
     if (v->is_isolated()) node.face = face_of(v->face());
     out.vertex.push_back(std::move(node));
   }

@@ -29,14 +29,16 @@ class AlgebraicArcs {
     std::vector<Point> point;
   };
   [[nodiscard]] Part part(int curve) const;
-  /// The part of side k (order of Side) between the corners.
-  [[nodiscard]] Arc side(int k) const;
   [[nodiscard]] const AlgebraicTraits& traits() const { return traits_; }
 
   /// Arranges arcs and points and reads the cells.
   [[nodiscard]] PlanarCells cells(const std::vector<Arc>& arcs,
                                   const std::vector<Point>& points) const;
   [[nodiscard]] Analysis analysis(const Curve& curve) const;
+  [[nodiscard]] static std::shared_ptr<const ExactPoint> exact_point(const Point& p);
+  /// The segment between two different rational points of a line of the table.
+  [[nodiscard]] Arc segment(int line, const std::array<Rational, 2>& p,
+                            const std::array<Rational, 2>& q) const;
   /// A point of the arc with one rational coordinate.
   [[nodiscard]] Sample sample(const Arc& arc, int curve) const;
   /// The number of the curve that the arc is part of.

@@ -67,13 +67,16 @@ class Session {
     const Forms forms = rect_forms(*solid_, r.rect, r.candidates, r.triangles);
     const Window window{{Rational(r.rect.u0), Rational(r.rect.u1)},
                         {Rational(r.rect.v0), Rational(r.rect.v1)}};
-    const Relevant relevant = relevant_curves(forms, window);
+    Relevant relevant = relevant_curves(forms, window);
+    if (options_.method == Method::kEnvelope) relevant = with_domains(forms, relevant);
     const PlanarCells cells = arrange(forms, relevant, window);
     read_map(forms, cells, label(forms, relevant, cells, test), out);
     return out;
   }
 
-  PlanarCells arrange(const Forms&, const Relevant& relevant, const Window& window) const {
+  PlanarCells arrange(const Forms& forms, const Relevant& relevant, const Window& window) const {
+    if (options_.method == Method::kEnvelope) return arrange_envelope(forms, relevant, window);
+    if (options_.method == Method::kConic) return arrange_conic(relevant, window);
     return arrange_algebraic(relevant, window);
   }
 

@@ -43,21 +43,24 @@ void sample_faces(PlanarCells& cells, const CurveTable& curves, const Window& wi
 
 int sign_at(const Quadratic& q, const ExactPoint& p, const CurveTable& curves,
             const std::vector<int>& incident) {
+  constexpr int kFirstBits = 64, kLastBits = 1 << 16;
+  const auto decided = [&](int bits) {
+    const Range r = bounds(q, p.box(bits));
+    return r.lo > 0 ? 1 : r.hi < 0 ? -1 : 0;
+  };
+  if (const int s = decided(kFirstBits); s != 0) return s;
   const Zeros z = zeros(q);
   if (z.everywhere) return 0;
   for (const Curve& c : z.on) {
     const int k = curves.find(c);
     if (k >= 0 && std::find(incident.begin(), incident.end(), k) != incident.end()) return 0;
   }
-  for (int bits = 64; bits <= 1 << 16; bits *= 2) {
-    const Range r = bounds(q, p.box(bits));
-    if (r.lo > 0) return 1;
-    if (r.hi < 0) return -1;
-    // Bounds cannot show a zero: ask once whether it is one.
-    if (bits == 256)
-      for (const Curve& c : z.on)
-        if (p.is_on(c)) return 0;
-  }
+  // Bounds cannot show a zero: ask whether it is one, but not before they are narrow.
+  if (const int s = decided(4 * kFirstBits); s != 0) return s;
+  for (const Curve& c : z.on)
+    if (p.is_on(c)) return 0;
+  for (int bits = 8 * kFirstBits; bits <= kLastBits; bits *= 2)
+    if (const int s = decided(bits); s != 0) return s;
   throw std::runtime_error("a sign that no precision decides");
 }
 

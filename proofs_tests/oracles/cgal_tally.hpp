@@ -13,6 +13,7 @@
 #include "arrangement/face_scenes.hpp"
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
+#include "blum/arrangement/engine_json.hpp"
 
 namespace blum::test {
 
@@ -64,6 +65,10 @@ inline void compare_three(const Scene& scene, const Rect& r, CgalEngine& cgal, C
   }
   SCOPED_TRACE(describe(scene, r));
   ++tally.problems;
+  constexpr int kProgress = 50;
+  if (tally.problems % kProgress == 0)
+    std::cout << tally.problems << " problems, " << tally.same << " same, " << tally.bad << " bad, "
+              << tally.different << " different" << std::endl;
   const auto triangles = scene.all_triangles();
   const FaceProblem problem{scene.solid.get(), r, near, triangles};
   FaceDiagram p, b, c;
