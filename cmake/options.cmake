@@ -1,6 +1,18 @@
 option(BLUM_BUILD_TESTS "Build the test suite" ON)
 option(BLUM_BUILD_BENCH "Build the benchmarks" ON)
 option(BLUM_BUILD_FUZZ "Build the fuzz targets with libFuzzer (needs clang 16)" OFF)
+# blum-cgal-engine uses GPL packages of CGAL. Nothing links it, it is not installed, and where this
+# is off nothing of CGAL is looked for.
+find_path(BLUM_CGAL_HEADER CGAL/Arr_algebraic_segment_traits_2.h)
+find_library(BLUM_MPFI mpfi)
+mark_as_advanced(BLUM_CGAL_HEADER BLUM_MPFI)
+if(BLUM_CGAL_HEADER AND BLUM_MPFI)
+  set(cgal_is_here ON)
+else()
+  set(cgal_is_here OFF)
+endif()
+option(BLUM_CGAL_ORACLES "Build blum-cgal-engine (needs CGAL, with GPL packages, and MPFI)"
+       ${cgal_is_here})
 option(BLUM_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

@@ -300,9 +300,11 @@ Command add_medial_command(CLI::App& app) {
                    "Boxes to look at for each part")
       ->check(kDigits)
       ->capture_default_str();
-  medial->add_option("--engine", options.engine, "production, or brute: slow and all exact")
+  medial->add_option("--engine", options.engine, "production; brute: slow and all exact; cgal: CGAL's arrangements, for small\nsolids (needs blum-cgal-engine)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
-          {"production", Engine::kProduction}, {"brute", Engine::kBrute}}))
+          {"production", Engine::kProduction},
+          {"brute", Engine::kBrute},
+          {"cgal", Engine::kCgal}}))
       ->default_str("production");
   medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
       ->check(CLI::Range(0, 1'000'000))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assemble.hpp"
+#include "blum/arrangement/cgal_engine.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/engine_set.hpp"
@@ -65,6 +66,12 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
                  "max_depth, threads, time_limit_s, max_leaf_diameter or tolerance_deg out of range",
                  "",
                  {}};
+  if (options.engine == Engine::kCgal && !find_cgal_helper()) {
+    return Error{ErrorCode::kBadArgument,
+                 "no blum-cgal-engine: this Blum was built without BLUM_CGAL_ORACLES",
+                 {},
+                 {}};
+  }
   MedialResult result;
   result.solid_betti = solid.betti();
   result.seed = options.seed;

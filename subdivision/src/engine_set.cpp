@@ -3,6 +3,8 @@
 #include <atomic>
 
 #include "blum/arrangement/brute_engine.hpp"
+#include "blum/arrangement/cgal_engine.hpp"
+#include "blum/kernel/check.hpp"
 
 namespace blum {
 namespace {
@@ -45,6 +47,13 @@ EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& opt
     production_.back().stop_on(&watch_.flag());
     if (options.engine == Engine::kBrute)
       chosen_.push_back(std::make_unique<BruteEngine>(geometry.solid(), watch_.flag()));
+    if (options.engine == Engine::kCgal) {
+      const auto helper = find_cgal_helper();
+      BLUM_CHECK(helper);
+      auto engine = std::make_unique<CgalEngine>(geometry.solid(), *helper);
+      engine->stop_on(&watch_.flag());
+      chosen_.push_back(std::move(engine));
+    }
   }
 }
 

@@ -17,7 +17,8 @@
 
 namespace blum {
 
-enum class Engine : std::uint8_t { kProduction, kBrute };
+/// kCgal: needs the helper of cgal_engine.hpp.
+enum class Engine : std::uint8_t { kProduction, kBrute, kCgal };
 
 struct Progress {
   std::size_t leaves = 0;      ///< accepted so far
