@@ -23,6 +23,26 @@ bool before(const Point3& a, const Point3& b) {
   return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
 }
 
+/// Does the segment from a to b cross the plane strictly inside the box? 1: yes, -1: it crosses it
+/// outside, 0: undecided. Requires: its ends lie on different sides for certain.
+int crossing_inside(const CutPlane& plane, const Point3& a, const Point3& b, const Box3& box) {
+  const auto height = [&](const Point3& x) {
+    Ball h(-plane.offset);
+    for (int k = 0; k < 3; ++k)
+      h = h + Ball(plane.normal[static_cast<std::size_t>(k)]) * Ball(x[k]);
+    return h;
+  };
+  const Ball s = divide(height(a), height(a) - height(b));
+  bool inside = true;
+  for (int k = 0; k < 3; ++k) {
+    const Ball x = Ball(a[k]) + s * (Ball(b[k]) - Ball(a[k]));
+    const int low = (x - Ball(box.lo[k])).sign(), high = (Ball(box.hi[k]) - x).sign();
+    if (low == -1 || high == -1) return -1;
+    inside = inside && low == 1 && high == 1;
+  }
+  return inside ? 1 : 0;
+}
+
 }  // namespace
 
 Box3 CellSurface::enclosure(int f, const FaceNode& node) const {
@@ -83,23 +103,9 @@ bool CellSurface::is_transversal(const CutPlane& plane) const {
       const auto [v, w] = solid_.edge[e].vertex;
       if (side_at(v) == side_at(w)) continue;
       crossed = true;
-      // The crossing v + s (w - v), s in [0, 1].
-      const auto height = [&](std::uint32_t x) {
-        Ball h(-plane.offset);
-        for (int k = 0; k < 3; ++k)
-          h = h + Ball(plane.normal[static_cast<std::size_t>(k)]) * Ball(solid_.point[x][k]);
-        return h;
-      };
-      const Ball hv = height(v), hw = height(w), s = divide(hv, hv - hw);
-      bool inside = true, outside = false;
-      for (int k = 0; k < 3; ++k) {
-        const Ball a(solid_.point[v][k]), x = a + s * (Ball(solid_.point[w][k]) - a);
-        const int low = (x - Ball(box_.lo[k])).sign(), high = (Ball(box_.hi[k]) - x).sign();
-        inside = inside && low == 1 && high == 1;
-        outside = outside || low == -1 || high == -1;
-      }
-      if (!inside && !outside) return false;
-      if (outside) {
+      const int inside = crossing_inside(plane, solid_.point[v], solid_.point[w], box_);
+      if (inside == 0) return false;
+      if (inside < 0) {
         reaches[link] = true;
       } else if (solid_.edge[e].kind == EdgeKind::kConvex) {
         return false;  // the axis reaches the convex edge

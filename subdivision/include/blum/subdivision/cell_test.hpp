@@ -47,7 +47,8 @@ struct CellOracles {
 };
 
 /// Tests Theorem B (exactly one boundary vertex in the cell, all candidates incident to it), else
-/// Theorem C, of which Theorem A is the case without boundary. `resolve` also asks that each
+/// Theorem C, of which Theorem A is the case without boundary, with the extensions A', E' and E of
+/// docs/proofs.md. `resolve` also asks that each
 /// component of the graph has the shape of a sheet, a seam or a junction.
 /// Requires: all six diagrams decided, from the same segment diagrams along common edges.
 [[nodiscard]] CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
