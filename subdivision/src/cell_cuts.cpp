@@ -10,7 +10,10 @@
 namespace blum {
 namespace {
 
-constexpr int kMaxPlanes = 12;
+// Measured on couplingdown: of 325 planes that missed the axis 322 lay in a slab of a 25th of the
+// cell or more, and 316 were among the first six; of 3000 that did not, 2100 lay in a thinner one.
+constexpr double kThinnestSlab = 0.04;
+constexpr std::size_t kMaxGivenUp = 6;
 constexpr std::size_t kMaxUnits = 6;
 
 double squared_distance(const Point3& a, const Point3& b) {
@@ -141,7 +144,9 @@ bool CellSurface::take_sides(Components& component, const CutPlane& plane) const
 
 bool CellSurface::part(Components& component, std::span<const Members> unit, CellAnswer& answer) {
   if (unit.size() > kMaxUnits) return false;
-  while (answer.planes_tried < kMaxPlanes) {
+  double size = 0;
+  for (int k = 0; k < 3; ++k) size = std::max(size, box_.hi[k] - box_.lo[k]);
+  while (static_cast<std::size_t>(answer.planes_tried) < answer.cut.size() + kMaxGivenUp) {
     std::optional<PlaneBetween> best;
     for (std::uint32_t set = 1; set < (1u << (unit.size() - 1)); ++set) {
       std::array<std::vector<Point3>, 2> points;
@@ -153,7 +158,7 @@ bool CellSurface::part(Components& component, std::span<const Members> unit, Cel
       const auto between = plane_between(points[0], points[1]);
       if (between && (!best || between->gap > best->gap)) best = between;
     }
-    if (!best) return false;
+    if (!best || best->gap < kThinnestSlab * size) return false;
     ++answer.planes_tried;
     if (!is_transversal(best->plane)) return false;
     const SectionAnswer section = oracles_.section(best->plane);
