@@ -256,6 +256,9 @@ Command add_medial_command(CLI::App& app) {
       ->capture_default_str();
   medial->add_flag("--resolve", options.resolve,
                    "Refine until no avoidable cluster node is left (for counting sheets)");
+  medial->add_flag("!--no-cuts", options.cuts,
+                   "Subdivide a cell without trying planes that miss the axis: more cells, for\n"
+                   "comparison");
   medial
       ->add_option("--epsilon", arguments->epsilon,
                    "Refine until the Hausdorff distance to the axis is at most this fraction of\n"

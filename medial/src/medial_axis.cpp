@@ -53,6 +53,8 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
   }
   result.hausdorff_bound = frame.length_to_model(bound);
   result.leaves = subdivision.leaf.size();
+  result.leaves_cut = subdivision.stats.leaves_cut;
+  result.planes_tried = subdivision.stats.planes_tried;
   result.max_depth = subdivision.stats.max_depth;
 }
 

@@ -98,6 +98,7 @@ std::string summary_json(const SummaryInput& input) {
         {"max_depth", r.max_depth},
         {"undecided_cells", r.undecided.size()},
         {"hausdorff_bound", r.hausdorff_bound}}},
+      {"cuts", {{"leaves", r.leaves_cut}, {"planes_tried", r.planes_tried}}},
       {"stages",
        {{"filter", r.stages.filter}, {"extended", r.stages.extended}, {"exact", r.stages.exact}}},
       {"time_s",
@@ -165,7 +166,10 @@ std::string summary_text(const SummaryInput& input) {
           ", " + counted(r.parts.junctions, "junction") + ", " +
           counted(r.parts.clusters, "cluster") + '\n';
   text += "cells      " + counted(r.leaves, "leaf cell") + ", deepest " +
-          counted(static_cast<std::size_t>(r.max_depth), "bisection") + '\n';
+          counted(static_cast<std::size_t>(r.max_depth), "bisection");
+  if (r.leaves_cut > 0)
+    append(text, "; %zu cut by planes, %zu tried", r.leaves_cut, r.planes_tried);
+  text += '\n';
   append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);
 
   if (r.angles) {

@@ -29,6 +29,8 @@ struct Sample {
     result.parts.seams = 12;
     result.parts.junctions = 4;
     result.leaves = 39;
+    result.leaves_cut = 5;
+    result.planes_tried = 8;
     result.max_depth = 11;
     result.hausdorff_bound = 0.125;
     result.stages = {980, 15, 5};
@@ -47,13 +49,14 @@ TEST(SummaryJson, CertifiedRun_HasExactlyTheSchema) {
   const Sample sample;
   const Json j = Json::parse(summary_json(sample.input()));
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys(j), (Keys{"model", "sites", "solid", "result", "stages", "time_s",
+  EXPECT_EQ(keys(j), (Keys{"model", "sites", "solid", "result", "cuts", "stages", "time_s",
                            "peak_memory_bytes", "seed", "threads", "version"}));
   EXPECT_EQ(keys(j["sites"]), (Keys{"vertices", "edges", "faces"}));
   EXPECT_EQ(keys(j["solid"]), (Keys{"betti"}));
   EXPECT_EQ(keys(j["result"]),
             (Keys{"mode", "certified", "betti", "sheets", "seams", "junctions", "clusters",
                   "leaves", "max_depth", "undecided_cells", "hausdorff_bound"}));
+  EXPECT_EQ(j["cuts"], (Json{{"leaves", 5}, {"planes_tried", 8}}));
   EXPECT_EQ(keys(j["stages"]), (Keys{"filter", "extended", "exact"}));
   EXPECT_EQ(keys(j["time_s"]), (Keys{"read", "sites", "subdivide", "assemble", "total"}));
   EXPECT_EQ(j["model"], "part.off");
@@ -101,6 +104,9 @@ TEST(SummaryText, SaysWhetherTheResultIsCertified) {
   const std::string good = summary_text(sample.input());
   EXPECT_NE(good.find("certified, Betti numbers 1 2 0"), std::string::npos) << good;
   EXPECT_NE(good.find("13 sheets, 12 seams, 4 junctions, 0 clusters"), std::string::npos) << good;
+  EXPECT_NE(good.find("39 leaf cells, deepest 11 bisections; 5 cut by planes, 8 tried\n"),
+            std::string::npos)
+      << good;
   EXPECT_EQ(good.back(), '\n');
   sample.result.certified = false;
   sample.result.undecided.assign(7, {{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kDepth, 96});

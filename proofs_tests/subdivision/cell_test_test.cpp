@@ -42,20 +42,29 @@ struct Bench {
     return face;
   }
 
-  CellAnswer test(const Point3& lo, const Point3& hi, bool resolve = false, bool connected = true) {
+  /// planes: Theorem E may cut the cell.
+  CellAnswer test(const Point3& lo, const Point3& hi, bool resolve = false, bool connected = true,
+                  bool planes = false) {
     asked.clear();
     // Round numbers are in bad position.
     const Box3 box{to_working({lo.x - 1.1e-5, lo.y - 2.3e-5, lo.z - 3.7e-5}),
                    to_working({hi.x + 4.1e-5, hi.y + 5.9e-5, hi.z + 7.3e-5})};
     std::vector<SiteId> candidates;
     const Faces face = faces(box, candidates);
-    return test_cell(
-        geometry, box, candidates, triangles, face,
-        [&](std::uint32_t v) {
-          asked.insert(v);
-          return connected;
-        },
-        resolve);
+    CellOracles oracles;
+    oracles.connected_at = [&](std::uint32_t v) {
+      asked.insert(v);
+      return connected;
+    };
+    if (planes)
+      oracles.section = [&](const CutPlane& plane) {
+        return section_misses_axis(geometry, engines.production(), engines.inside(), plane, box,
+                                   candidates, triangles);
+      };
+    return test_cell(geometry, box, candidates, triangles, face, oracles, resolve);
+  }
+  CellAnswer test_with_planes(const Point3& lo, const Point3& hi) {
+    return test(lo, hi, false, true, true);
   }
 
   /// Of the axis on a small box about a vertex.
@@ -177,6 +186,46 @@ TEST(CellTest, GraphInPieces_IsRefused) {
             CellVerdict::kGraph);
   EXPECT_EQ(voids.test({-1.75342, -2.21826, -2.4917}, {2.10596, 1.93018, 1.11768}).verdict,
             CellVerdict::kGraph);
+}
+
+/// Refused for its graph, unless planes may cut it.
+CellAnswer cut_only_by_planes(Bench& b, const Point3& lo, const Point3& hi) {
+  const CellAnswer without = b.test(lo, hi);
+  EXPECT_EQ(without.verdict, CellVerdict::kGraph);
+  EXPECT_TRUE(without.cut.empty());
+  EXPECT_EQ(without.planes_tried, 0);
+  const CellAnswer with = b.test_with_planes(lo, hi);
+  EXPECT_EQ(with.verdict, CellVerdict::kAccepted);
+  EXPECT_FALSE(with.cut.empty());
+  EXPECT_FALSE(with.curved_cut);
+  return with;
+}
+
+TEST(CellTest, SheetsApartInsideTheSolid_ArePartedByAPlane) {
+  // Under the floor of the pocket; the cell meets no boundary.
+  Bench b(shapes::lpocket());
+  cut_only_by_planes(b, {0.684, 0.464, 0.822}, {2.051, 2.97, 0.822});
+  cut_only_by_planes(b, {1.212, 1.254, 0.688}, {3.932, 2.291, 0.69});
+}
+
+TEST(CellTest, SheetsApartInABoundaryCell_ArePartedByAPlane) {
+  Bench pocket(shapes::lpocket()), plate(shapes::plate(1, 6)), voids(shapes::nested_voids(1));
+  cut_only_by_planes(pocket, {0.495, 1.161, 0.777}, {3.764, 3.174, 1.939});
+  cut_only_by_planes(voids, {-1.697, -0.496, -2.421}, {1.913, 1.811, 0.26});
+  const CellAnswer a = cut_only_by_planes(plate, {0.402, 0.818, 0.173}, {1.481, 1.38, 0.546});
+  int oblique = 0;
+  for (const int n : a.cut.front().normal) oblique += n != 0;
+  EXPECT_GE(oblique, 2);
+  EXPECT_GE(a.planes_tried, 2);  // the first plane met a sheet, and the next one gave way
+}
+
+TEST(CellTest, SitesThatGovernTwoParts_AreNotCutByPlanes) {
+  // A tube of one region goes through the cell: every plane between its ends meets its wall.
+  Bench box(shapes::cuboid(1, 1.25, 2));
+  const CellAnswer a =
+      box.test_with_planes({0.506104, 0.275635, 0.045166}, {1.08032, 1.28931, 1.93579});
+  EXPECT_EQ(a.verdict, CellVerdict::kLabel);
+  EXPECT_EQ(a.planes_tried, 0);
 }
 
 TEST(CellTest, SiteOnBothSidesOfAHiddenPart_IsRefused) {

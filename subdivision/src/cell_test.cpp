@@ -1,191 +1,14 @@
 #include "blum/subdivision/cell_test.hpp"
 
 #include <algorithm>
-#include <map>
 #include <unordered_map>
 
 #include "blum/arrangement/flow.hpp"
 #include "blum/kernel/check.hpp"
-#include "blum/kernel/union_find.hpp"
 #include "blum/subdivision/graph_shape.hpp"
+#include "cell_surface.hpp"
 
 namespace blum {
-namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
-
-/// Which (face, side) pairs share each of the 12 edges of a box: the same for all boxes.
-struct EdgePair {
-  int face[2], side[2];
-};
-std::vector<EdgePair> edge_pairs() {
-  const Box3 unit{{0, 0, 0}, {1, 2, 3}};
-  std::vector<EdgePair> pairs;
-  for (int f = 0; f < 6; ++f)
-    for (int s = 0; s < 4; ++s)
-      for (int g = f + 1; g < 6; ++g)
-        for (int t = 0; t < 4; ++t)
-          if (side_segment(box_face(unit, f), s) == side_segment(box_face(unit, g), t))
-            pairs.push_back({{f, g}, {s, t}});
-  return pairs;
-}
-
-/// The closed surface of the components of cell ∩ O, cut along the graph.
-class CellSurface {
- public:
-  CellSurface(const SiteGeometry& geometry, const Box3& box,
-              std::span<const std::uint32_t> triangles,
-              const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
-              const ConnectedAtVertex& connected_at)
-      : geometry_(geometry),
-        solid_(geometry.solid()),
-        box_(box),
-        face_(face),
-        connected_at_(connected_at) {
-    number_elements(triangles);
-    glue();
-  }
-
-  [[nodiscard]] CellAnswer conical(std::uint32_t vertex, bool resolve);
-  [[nodiscard]] CellAnswer test(bool resolve);
-  [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertex_; }
-
- private:
-  void number_elements(std::span<const std::uint32_t> triangles);
-  void glue();
-  [[nodiscard]] bool strictly_inside(const Point3& p) const {
-    for (int k = 0; k < 3; ++k)
-      if (!(p[k] > box_.lo[k] && p[k] < box_.hi[k])) return false;
-    return true;
-  }
-  [[nodiscard]] std::uint32_t region(int f, std::uint32_t r) const { return region_base_[f] + r; }
-  [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
-  [[nodiscard]] bool shapes_are_simple();
-  [[nodiscard]] bool joined_by_flow();
-  [[nodiscard]] bool pieces_are_separate();
-
-  const SiteGeometry& geometry_;
-  const Solid& solid_;
-  const Box3& box_;
-  const std::array<std::shared_ptr<const FaceDiagram>, 6>& face_;
-  const ConnectedAtVertex& connected_at_;
-
-  // Elements of the surface: regions of the six diagrams, then triangles that meet the cell.
-  std::array<std::uint32_t, 6> region_base_{}, node_base_{};
-  std::map<std::uint32_t, std::uint32_t> triangle_;           // triangle -> element
-  std::map<std::uint32_t, std::vector<std::uint32_t>> edge_;  // boundary edge in the cell -> nodes
-  std::vector<std::uint32_t> vertex_;                         // boundary vertices in the cell
-  std::map<std::uint32_t, std::uint32_t> vertex_node_;        // those with convex edges
-  UnionFind cut_;      // components of the surface minus the graph
-  UnionFind surface_;  // components of the surface
-  UnionFind graph_;
-  std::vector<std::uint32_t> node_element_;  // some element beside each node
-  std::vector<std::array<std::uint32_t, 2>> arc_;
-  std::vector<bool> node_merged_;  // second name of a node on a cell edge
-};
-
-void CellSurface::number_elements(std::span<const std::uint32_t> triangles) {
-  std::uint32_t regions = 0, nodes = 0;
-  for (int f = 0; f < 6; ++f) {
-    region_base_[f] = regions;
-    node_base_[f] = nodes;
-    regions += static_cast<std::uint32_t>(face_[f]->region.size());
-    nodes += static_cast<std::uint32_t>(face_[f]->node.size());
-  }
-  std::uint32_t elements = regions;
-  for (int f = 0; f < 6; ++f)
-    for (const FaceTrace& t : face_[f]->trace)
-      if (triangle_.try_emplace(t.triangle, elements).second) ++elements;
-  std::map<std::uint32_t, bool> seen;
-  for (const auto t : triangles)
-    for (const auto v : solid_.triangle[t].vertex) {
-      const auto [it, fresh] = seen.try_emplace(v, false);
-      if (fresh) it->second = strictly_inside(solid_.point[v]);
-      if (it->second && triangle_.try_emplace(t, elements).second) ++elements;
-    }
-  for (const auto& [v, inside] : seen)
-    if (inside) vertex_.push_back(v);
-  for (int f = 0; f < 6; ++f)
-    for (const FaceTracePoint& p : face_[f]->trace_point) edge_[p.boundary_edge];
-  for (const auto v : vertex_)
-    for (const auto e : solid_.edges_at(v)) edge_[e];
-  for (const auto v : vertex_)
-    for (const auto e : solid_.edges_at(v))
-      if (solid_.edge[e].kind == EdgeKind::kConvex && vertex_node_.try_emplace(v, nodes).second)
-        ++nodes;
-  cut_.resize(elements);
-  surface_.resize(elements);
-  graph_.resize(nodes);
-  node_element_.assign(nodes, kNone);
-  node_merged_.assign(nodes, false);
-}
-
-void CellSurface::glue() {
-  for (int f = 0; f < 6; ++f) {
-    const FaceDiagram& d = *face_[f];
-    std::vector<std::uint32_t> of_piece(d.piece.size(), kNone);
-    for (std::uint32_t r = 0; r < d.region.size(); ++r) {
-      auto& first = of_piece[d.region[r].piece];
-      if (first == kNone) first = region(f, r);
-      surface_.unite(first, region(f, r));
-    }
-    for (const FaceTrace& t : d.trace) {
-      cut_.unite(region(f, t.region), triangle_.at(t.triangle));
-      surface_.unite(region(f, t.region), triangle_.at(t.triangle));
-    }
-    for (std::uint32_t n = 0; n < d.node.size(); ++n) {
-      node_element_[node(f, n)] = of_piece[d.node[n].piece];
-      if (d.node[n].kind == FaceNode::Kind::kConvexEdge)
-        edge_.at(d.node[n].boundary_edge).push_back(node(f, n));
-    }
-    for (const FaceArc& a : d.arc) {
-      arc_.push_back({node(f, a.from), node(f, a.to)});
-      graph_.unite(arc_.back()[0], arc_.back()[1]);
-    }
-  }
-  static const std::vector<EdgePair> pairs = edge_pairs();
-  for (const EdgePair& p : pairs) {
-    const auto &a = face_[p.face[0]]->side_region[p.side[0]],
-               &b = face_[p.face[1]]->side_region[p.side[1]];
-    BLUM_CHECK(a.size() == b.size());
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      BLUM_CHECK((a[k] == FaceDiagram::kOutside) == (b[k] == FaceDiagram::kOutside));
-      if (a[k] == FaceDiagram::kOutside) continue;
-      cut_.unite(region(p.face[0], a[k]), region(p.face[1], b[k]));
-      surface_.unite(region(p.face[0], a[k]), region(p.face[1], b[k]));
-    }
-    for (std::uint32_t i = 0; i < face_[p.face[0]]->node.size(); ++i) {
-      const FaceNode& m = face_[p.face[0]]->node[i];
-      if (m.kind != FaceNode::Kind::kSide || m.side != p.side[0]) continue;
-      for (std::uint32_t j = 0; j < face_[p.face[1]]->node.size(); ++j) {
-        const FaceNode& n = face_[p.face[1]]->node[j];
-        if (n.kind != FaceNode::Kind::kSide || n.side != p.side[1] || n.breakpoint != m.breakpoint)
-          continue;
-        // One node, two names.
-        graph_.unite(node(p.face[0], i), node(p.face[1], j));
-        arc_.push_back({node(p.face[0], i), node(p.face[1], j)});
-      }
-    }
-  }
-  for (auto& [e, nodes] : edge_) {
-    const SolidEdge& edge = solid_.edge[e];
-    const auto a = triangle_.at(edge.triangle[0]), b = triangle_.at(edge.triangle[1]);
-    surface_.unite(a, b);
-    if (edge.kind != EdgeKind::kConvex) {
-      cut_.unite(a, b);
-      continue;
-    }
-    for (const auto v : edge.vertex)
-      if (const auto it = vertex_node_.find(v); it != vertex_node_.end()) {
-        nodes.push_back(it->second);
-        node_element_[it->second] = a;
-      }
-    // A convex edge has exactly two ends in the closed cell.
-    BLUM_CHECK(nodes.size() == 2);
-    graph_.unite(nodes[0], nodes[1]);
-    arc_.push_back({nodes[0], nodes[1]});
-  }
-}
 
 bool CellSurface::shapes_are_simple() {
   std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> arcs_of;
@@ -197,44 +20,6 @@ bool CellSurface::shapes_are_simple() {
         n = local.try_emplace(n, static_cast<std::uint32_t>(local.size())).first->second;
     if (graph_shape(static_cast<std::uint32_t>(local.size()), arcs) == GraphShape::kOther)
       return false;
-  }
-  return true;
-}
-
-bool CellSurface::joined_by_flow() {
-  // Regions through which no segment to a foot leaves the cell: a path in such a region, from one
-  // component of the graph to another, is never met by the flow.
-  const auto regions = cut_.size() - static_cast<std::uint32_t>(triangle_.size());
-  std::vector<bool> closed(regions, false);
-  UnionFind joined;
-  joined.resize(graph_.size() + regions);  // nodes, then regions
-  for (int f = 0; f < 6; ++f) {
-    const FaceDiagram& d = *face_[f];
-    for (std::uint32_t i = 0; i < d.region.size(); ++i)
-      closed[region(f, i)] = std::ranges::all_of(d.region[i].labels, [&](SiteId label) {
-        return never_leaves(geometry_, label, d.rect, f % 2 == 0 ? -1 : 1);
-      });
-    for (const FaceArc& a : d.arc)
-      for (const auto r : a.region)
-        if (r != FaceArc::kUnknown && closed[region(f, r)])
-          joined.unite(node(f, a.from), graph_.size() + region(f, r));
-  }
-  static const std::vector<EdgePair> pairs = edge_pairs();
-  for (const EdgePair& p : pairs) {
-    const auto &a = face_[p.face[0]]->side_region[p.side[0]],
-               &b = face_[p.face[1]]->side_region[p.side[1]];
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      if (a[k] == FaceDiagram::kOutside) continue;
-      const auto ra = region(p.face[0], a[k]), rb = region(p.face[1], b[k]);
-      if (closed[ra] && closed[rb]) joined.unite(graph_.size() + ra, graph_.size() + rb);
-    }
-  }
-  for (const auto& a : arc_) joined.unite(a[0], a[1]);
-  std::unordered_map<std::uint32_t, std::uint32_t> joined_of;
-  for (const auto& a : arc_) {
-    const auto [it, fresh] =
-        joined_of.try_emplace(surface_.find(node_element_[a[0]]), joined.find(a[0]));
-    if (!fresh && it->second != joined.find(a[0])) return false;
   }
   return true;
 }
@@ -295,7 +80,7 @@ bool CellSurface::pieces_are_separate() {
   return true;
 }
 
-CellAnswer CellSurface::conical(std::uint32_t vertex, bool) {
+CellAnswer CellSurface::conical(std::uint32_t vertex) {
   CellAnswer r;
   r.conical = true;
   r.vertex = vertex;
@@ -314,21 +99,19 @@ CellAnswer CellSurface::conical(std::uint32_t vertex, bool) {
   return r;
 }
 
-CellAnswer CellSurface::test(bool resolve) {
-  CellAnswer r;
-  const auto verdict = [&](CellVerdict v) {
-    r.verdict = v;
-    return r;
-  };
+bool CellSurface::vertices_are_harmless() const {
   for (const auto v : vertex_) {
     bool convex = false, reflex = false;
     for (const auto e : solid_.edges_at(v)) {
       convex |= solid_.edge[e].kind == EdgeKind::kConvex;
       reflex |= solid_.edge[e].kind == EdgeKind::kReflex;
     }
-    if (convex && reflex && !connected_at_(v)) return verdict(CellVerdict::kVertex);
+    if (convex && reflex && !oracles_.connected_at(v)) return false;
   }
+  return true;
+}
 
+CellVerdict CellSurface::are_balls() {
   // Euler characteristic of each closed surface from its open cells.
   std::unordered_map<std::uint32_t, long> euler;
   std::unordered_map<std::uint32_t, bool> has_face;
@@ -350,7 +133,7 @@ CellAnswer CellSurface::test(bool resolve) {
   for (const auto& [t, element] : triangle_) add(element, +1);
   for (const auto& [e, nodes] : edge_) add(triangle_.at(solid_.edge[e].triangle[0]), -1);
   for (const auto v : vertex_) add(triangle_.at(solid_.triangles_at(v).front()), +1);
-  static const std::vector<EdgePair> pairs = edge_pairs();
+  const std::span<const EdgePair> pairs = edge_pairs();
   // Edges of the cell: open stretches inside O, and crossings of ∂O; ends at corners.
   std::map<std::array<double, 3>, std::uint32_t> corner;
   for (const EdgePair& p : pairs) {
@@ -377,31 +160,34 @@ CellAnswer CellSurface::test(bool resolve) {
   }
   for (const auto& [x, element] : corner) add(element, +1);
   for (const auto& [s, chi] : euler) {
-    if (!has_face[s]) return verdict(CellVerdict::kShellInside);
-    if (chi != 2) return verdict(CellVerdict::kEuler);
+    if (!has_face[s]) return CellVerdict::kShellInside;
+    if (chi != 2) return CellVerdict::kEuler;
   }
+  return CellVerdict::kAccepted;
+}
 
-  // (1) The graph of each surface is connected, or Theorem E' joins its components.
-  std::unordered_map<std::uint32_t, std::uint32_t> graph_of;
-  bool connected = true;
-  for (const auto& a : arc_) {
-    r.has_axis = true;
-    const auto s = surface_.find(node_element_[a[0]]);
-    const auto [it, fresh] = graph_of.try_emplace(s, graph_.find(a[0]));
-    connected &= fresh || it->second == graph_.find(a[0]);
-  }
-  if (!connected) {
-    if (!joined_by_flow()) return verdict(CellVerdict::kGraph);
-    r.curved_cut = true;
-  }
+CellAnswer CellSurface::test(bool resolve) {
+  CellAnswer r;
+  const auto verdict = [&](CellVerdict v) {
+    r.verdict = v;
+    return r;
+  };
+  if (!vertices_are_harmless()) return verdict(CellVerdict::kVertex);
+  if (const CellVerdict v = are_balls(); v != CellVerdict::kAccepted) return verdict(v);
+  r.has_axis = !arc_.empty();
 
+  // (1) The graph of each surface is connected, or Theorem E makes up for it.
+  Components component = components();
+  const bool whole = connected(component);
+  r.curved_cut = !whole && joined_by_flow(component);
   // (2) A piece of the solid minus the axis meets the surface in one component only.
-  if (!pieces_are_separate()) return verdict(CellVerdict::kLabel);
+  const bool separate = pieces_are_separate();
+  if (!whole && !r.curved_cut && !(separate && parted_by_planes(component, r)))
+    return verdict(CellVerdict::kGraph);
+  if (!separate) return verdict(CellVerdict::kLabel);
   if (resolve && !shapes_are_simple()) return verdict(CellVerdict::kCluster);
   return verdict(CellVerdict::kAccepted);
 }
-
-}  // namespace
 
 Rect box_face(const Box3& box, int face) {
   const int axis = face / 2, u = u_axis(axis), v = v_axis(axis);
@@ -412,14 +198,14 @@ Rect box_face(const Box3& box, int face) {
 CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
                      std::span<const SiteId> candidates, std::span<const std::uint32_t> triangles,
                      const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
-                     const ConnectedAtVertex& connected_at, bool resolve) {
+                     const CellOracles& oracles, bool resolve) {
   for ([[maybe_unused]] const auto& d : face) BLUM_REQUIRE(d && d->status == FaceStatus::kDecided);
-  CellSurface surface(geometry, box, triangles, face, connected_at);
+  CellSurface surface(geometry, box, triangles, face, oracles);
   if (surface.vertices().size() == 1) {
     const auto v = surface.vertices().front();
     const bool incident =
         std::ranges::all_of(candidates, [&](SiteId s) { return geometry.has_corner(s, v); });
-    if (incident) return surface.conical(v, resolve);
+    if (incident) return surface.conical(v);
   }
   return surface.test(resolve);
 }

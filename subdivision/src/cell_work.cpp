@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blum/arrangement/common_point.hpp"
+#include "meeting.hpp"
 
 namespace blum {
 namespace {
@@ -62,42 +63,8 @@ Box3 root_box(const Solid& solid, std::uint64_t seed) {
   return b;
 }
 
-std::vector<std::uint32_t> CellWorker::meeting(std::span<const std::uint32_t> triangles,
-                                               const Box3& box) const {
-  std::vector<std::uint32_t> kept;
-  for (const auto t : triangles) {
-    const auto& v = solid_.triangle[t].vertex;
-    bool apart = false;
-    for (int k = 0; k < 3 && !apart; ++k) {
-      const double a = solid_.point[v[0]][k], b = solid_.point[v[1]][k], c = solid_.point[v[2]][k];
-      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
-    }
-    if (apart) continue;
-    // Outside the triangle's plane, or of its prism on one side.
-    const SiteId face = geometry_.index().face(t);
-    const auto beyond = [&](const BallVector& w, const Point3& base, bool both) {
-      Point3 c;
-      double reach = 0;
-      for (int k = 0; k < 3; ++k) {
-        c[k] = 0.5 * (box.lo[k] + box.hi[k]);
-        reach += w[k].magnitude() * std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
-      }
-      reach *= 1 + 0x1p-40;
-      const Ball h = dot(w, difference(c, base));
-      return h.low() > reach || (both && h.high() < -reach);
-    };
-    apart = beyond(geometry_.unit(face), geometry_.base(face), true);
-    const auto domain = geometry_.domain(face);
-    for (int k = 0; k < 3 && !apart; ++k)
-      apart = beyond(domain[k].w, solid_.point[domain[k].base], false);
-    if (apart) continue;
-    kept.push_back(t);
-  }
-  return kept;
-}
-
 CellOutcome CellWorker::work(Cell& cell) {
-  cell.triangles = meeting(cell.triangles, cell.box);
+  cell.triangles = triangles_meeting(geometry_, cell.triangles, cell.box);
   Leaf leaf;
   if (cell.triangles.empty() &&
       work_.engines.inside().locate(cell.box.lo) == InsideOracle::Where::kOutside) {
@@ -117,6 +84,7 @@ CellOutcome CellWorker::work(Cell& cell) {
       leaf.candidates = std::move(cell.candidates);
       leaf.triangles = std::move(cell.triangles);
       leaf.face = std::move(cell.face);
+      if (!leaf.cut.empty()) ++stats_.leaves_cut;
       return leaf;
     }
   }
@@ -138,12 +106,20 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   double diameter = 0;
   for (int k = 0; k < 3; ++k) diameter = std::max(diameter, cell.box.hi[k] - cell.box.lo[k]);
   const bool resolve = options_.resolve && diameter > kResolveFraction * work_.root_diameter;
-  const CellAnswer a = test_cell(
-      geometry_, cell.box, cell.candidates, cell.triangles, cell.face,
-      [this](std::uint32_t v) { return connected_at(v); }, resolve);
+  CellOracles oracles;
+  oracles.connected_at = [this](std::uint32_t v) { return connected_at(v); };
+  if (options_.cuts && fine_enough(cell.box))
+    oracles.section = [&](const CutPlane& plane) {
+      return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
+                                 cell.candidates, cell.triangles);
+    };
+  CellAnswer a =
+      test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face, oracles, resolve);
+  stats_.planes_tried += static_cast<std::size_t>(a.planes_tried);
   leaf.theorem = a.conical ? LeafTheorem::kConical : LeafTheorem::kBoundary;
   leaf.boundary_vertex = a.vertex;
   leaf.has_axis = a.has_axis;
+  leaf.cut = std::move(a.cut);
   // A cluster that is one degenerate junction cannot be refined away.
   if (a.verdict == CellVerdict::kCluster && one_junction(cell, cell.face))
     return verdict(CellVerdict::kAccepted);

@@ -67,8 +67,6 @@ class CellWorker {
  private:
   using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 
-  [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> triangles,
-                                                   const Box3& box) const;
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
   [[nodiscard]] bool fine_enough(const Box3& box) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);

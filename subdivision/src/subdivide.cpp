@@ -162,6 +162,8 @@ void Subdivider::work(int thread) {
   sum.cells_tested += part.cells_tested;
   sum.faces_computed += part.faces_computed;
   sum.planes_moved += part.planes_moved;
+  sum.planes_tried += part.planes_tried;
+  sum.leaves_cut += part.leaves_cut;
   for (std::size_t k = 0; k < sum.rejected.size(); ++k) sum.rejected[k] += part.rejected[k];
 }
 

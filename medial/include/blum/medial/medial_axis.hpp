@@ -38,6 +38,8 @@ struct MedialResult {
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
   std::size_t leaves = 0;
+  /// Of them accepted thanks to planes (Theorem E); planes tried for them and for others.
+  std::size_t leaves_cut = 0, planes_tried = 0;
   int max_depth = 0;
   std::vector<UndecidedCell> undecided;
   /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter.

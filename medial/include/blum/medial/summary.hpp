@@ -32,9 +32,10 @@ struct SummaryInput {
 /// One JSON object:
 ///   {"model", "sites": {"vertices","edges","faces"}, "solid": {"betti"}, "result": {"mode",
 ///   "certified","betti","sheets","seams","junctions","clusters","leaves","max_depth",
-///   "undecided_cells","hausdorff_bound"}, "stages": {"filter","extended","exact"}, "time_s":
-///   {"read","sites","subdivide","assemble","total"}, "peak_memory_bytes", "seed", "threads",
-///   "version"}
+///   "undecided_cells","hausdorff_bound"}, "cuts": {"leaves","planes_tried"}, "stages":
+///   {"filter","extended","exact"}, "time_s": {"read","sites","subdivide","assemble","total"},
+///   "peak_memory_bytes", "seed", "threads", "version"}
+/// "cuts": leaves accepted thanks to planes that miss the axis, and planes tried in all.
 /// result.betti is null unless the result is certified. Only if cells are undecided there are two
 /// more keys: "undecided_by_reason": {"depth": 3, ...}, with the reasons that occur, and
 /// "undecided": [{"reason", "depth", "lo", "hi"}], at most the first 1000 of them. Only if the

@@ -9,6 +9,7 @@
 
 #include "blum/arrangement/face_diagram.hpp"
 #include "blum/kernel/site_geometry.hpp"
+#include "blum/subdivision/section.hpp"
 
 namespace blum {
 
@@ -32,20 +33,28 @@ struct CellAnswer {
   std::uint32_t vertex = 0xffffffffu;
   bool has_axis = false;    ///< the graph is not empty
   bool curved_cut = false;  ///< Theorem E' joined several components of the graph
+  /// Planes that part components of the graph (Theorem E); if accepted, needed for it.
+  std::vector<CutPlane> cut;
+  int planes_tried = 0;
 };
 
-/// What is known of the axis near a boundary vertex; asked for vertices with convex and reflex
-/// edges only.
-using ConnectedAtVertex = std::function<bool(std::uint32_t vertex)>;
+/// What a test asks about the cell beyond its faces.
+struct CellOracles {
+  /// Is the axis near a boundary vertex connected? Asked for vertices with convex and reflex edges
+  /// only.
+  std::function<bool(std::uint32_t vertex)> connected_at;
+  SectionTest section;  ///< empty: no planes are tried
+};
 
 /// Tests Theorem B (exactly one boundary vertex in the cell, all candidates incident to it), else
-/// Theorem C, of which Theorem A is the case without boundary. `resolve` also asks that each
+/// Theorem C, of which Theorem A is the case without boundary, with the extensions A', E' and E of
+/// docs/proofs.md. `resolve` also asks that each
 /// component of the graph has the shape of a sheet, a seam or a junction.
 /// Requires: all six diagrams decided, from the same segment diagrams along common edges.
 [[nodiscard]] CellAnswer test_cell(const SiteGeometry& geometry, const Box3& box,
                                    std::span<const SiteId> candidates,
                                    std::span<const std::uint32_t> triangles,
                                    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
-                                   const ConnectedAtVertex& connected_at, bool resolve);
+                                   const CellOracles& oracles, bool resolve);
 
 }  // namespace blum

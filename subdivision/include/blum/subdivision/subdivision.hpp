@@ -14,6 +14,7 @@
 #include "blum/kernel/result.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/kernel/stage.hpp"
+#include "blum/subdivision/cut_plane.hpp"
 
 namespace blum {
 
@@ -28,6 +29,7 @@ struct Progress {
 struct SubdivisionOptions {
   std::uint64_t seed = 1;
   Engine engine = Engine::kProduction;
+  bool cuts = true;      ///< try planes that miss the axis before a cell is subdivided (Theorem E)
   bool resolve = false;  ///< refine until no avoidable cluster node is left
   /// Leaves that meet the axis are refined until their diameter is at most this (model units);
   /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
@@ -80,8 +82,11 @@ struct Leaf {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t boundary_vertex = kNone;  ///< kConical
   bool has_axis = false;                  ///< the graph on its surface is not empty
-  std::vector<SiteId> candidates;         ///< superset of the governors in leaf ∩ O
-  std::vector<std::uint32_t> triangles;   ///< superset of the boundary triangles that meet it
+  /// kBoundary: planes whose sections of the leaf miss the axis, which its acceptance relies on
+  /// (Theorem E in docs/proofs.md). None where the graph alone was enough.
+  std::vector<CutPlane> cut;
+  std::vector<SiteId> candidates;        ///< superset of the governors in leaf ∩ O
+  std::vector<std::uint32_t> triangles;  ///< superset of the boundary triangles that meet it
   /// Diagrams of its faces (box_face), for kConical and kBoundary.
   std::array<std::shared_ptr<const FaceDiagram>, 6> face;
 };
@@ -89,6 +94,7 @@ struct Leaf {
 struct SubdivisionStats {
   StageCounts stages;  ///< depends on the number of threads: each remembers what it has decided
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
+  std::size_t planes_tried = 0, leaves_cut = 0;  ///< see Leaf::cut
   int max_depth = 0;
   std::array<std::size_t, 8> rejected{};  ///< tested cells by CellVerdict
 };

@@ -1,0 +1,104 @@
+/// The closed surface of the components of cell ∩ O, cut along the graph of the axis on it.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "blum/kernel/union_find.hpp"
+#include "blum/subdivision/cell_test.hpp"
+
+namespace blum {
+
+/// Elements of the surface are the regions of the six diagrams, then the boundary triangles that
+/// meet the cell. Nodes of the graph are those of the six diagrams, then the boundary vertices
+/// inside the cell that have convex edges.
+class CellSurface {
+ public:
+  /// The arguments must outlive it; see test_cell.
+  CellSurface(const SiteGeometry& geometry, const Box3& box,
+              std::span<const std::uint32_t> triangles,
+              const std::array<std::shared_ptr<const FaceDiagram>, 6>& face,
+              const CellOracles& oracles);
+
+  [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertex_; }
+  /// Theorem B about the one boundary vertex in the cell.
+  [[nodiscard]] CellAnswer conical(std::uint32_t vertex);
+  /// Theorem C.
+  [[nodiscard]] CellAnswer test(bool resolve);
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  void number_elements(std::span<const std::uint32_t> triangles);
+  void glue();
+  [[nodiscard]] bool strictly_inside(const Point3& p) const {
+    for (int k = 0; k < 3; ++k)
+      if (!(p[k] > box_.lo[k] && p[k] < box_.hi[k])) return false;
+    return true;
+  }
+  [[nodiscard]] std::uint32_t region(int f, std::uint32_t r) const { return region_base_[f] + r; }
+  [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
+
+  [[nodiscard]] bool vertices_are_harmless() const;
+  /// kAccepted: every component is a ball.
+  [[nodiscard]] CellVerdict are_balls();
+  [[nodiscard]] bool shapes_are_simple();
+  [[nodiscard]] bool pieces_are_separate();
+
+  /// A component of the graph.
+  struct Component {
+    std::uint32_t root = 0;     ///< of its nodes
+    std::uint32_t surface = 0;  ///< that it lies on
+    std::uint32_t joined = 0;   ///< equal: joined by paths that the flow does not meet
+    // For planes:
+    std::vector<Box3> node;    ///< each encloses a node
+    std::vector<Point3> seen;  ///< points on it or near it, or near the axis in the cell
+    std::vector<std::array<SiteId, 2>> tie;  ///< governors beside its arcs
+    std::vector<int> side;                   ///< of the planes of the answer
+  };
+  using Components = std::vector<Component>;
+  /// Those of one surface follow each other.
+  [[nodiscard]] Components components();
+  [[nodiscard]] static bool connected(const Components& component);
+  /// Theorem E': are those of each surface joined?
+  [[nodiscard]] bool joined_by_flow(Components& component);
+
+  /// Theorem E: adds planes to the answer that part the components of each surface.
+  [[nodiscard]] bool parted_by_planes(Components& component, CellAnswer& answer);
+  void describe(Components& component);
+  [[nodiscard]] Box3 enclosure(int f, const FaceNode& node) const;
+  /// Finds a plane that does not leave all members on one side.
+  using Members = std::vector<Component*>;
+  [[nodiscard]] bool part(Components& component, std::span<const Members> unit, CellAnswer& answer);
+  [[nodiscard]] bool is_transversal(const CutPlane& plane) const;
+  [[nodiscard]] bool take_sides(Components& component, const CutPlane& plane) const;
+
+  const SiteGeometry& geometry_;
+  const Solid& solid_;
+  const Box3& box_;
+  const std::array<std::shared_ptr<const FaceDiagram>, 6>& face_;
+  const CellOracles& oracles_;
+
+  std::array<std::uint32_t, 6> region_base_{}, node_base_{};
+  std::map<std::uint32_t, std::uint32_t> triangle_;           // triangle -> element
+  std::map<std::uint32_t, std::vector<std::uint32_t>> edge_;  // boundary edge in the cell -> nodes
+  std::vector<std::uint32_t> vertex_;                         // boundary vertices in the cell
+  std::map<std::uint32_t, std::uint32_t> vertex_node_;        // those with convex edges
+  UnionFind cut_;      // components of the surface minus the graph
+  UnionFind surface_;  // components of the surface
+  UnionFind graph_;
+  std::vector<std::uint32_t> node_element_;  // some element beside each node
+  std::vector<std::array<std::uint32_t, 2>> arc_;
+  std::vector<Box3> node_box_;  // encloses each node; filled by describe()
+};
+
+/// Which (face, side) pairs share each of the 12 edges of a box: the same for all boxes.
+struct EdgePair {
+  int face[2], side[2];
+};
+[[nodiscard]] std::span<const EdgePair> edge_pairs();
+
+}  // namespace blum
