@@ -84,6 +84,15 @@ class FaceEngine {
   /// Theorem G: all sites meet in one vertex.
   [[nodiscard]] bool accept_cone(const Box& box, std::span<const LocalForm> forms,
                                  const Groups& feet, const Border& border);
+  /// Voronoi: an edge and its two faces, whose regions are convex in the plane.
+  [[nodiscard]] bool accept_edge_sectors(const Box& box, std::span<const LocalForm> forms,
+                                         const Groups& sites, const Border& border);
+  /// Voronoi, Theorem G': all sites meet in one vertex.
+  [[nodiscard]] bool accept_vertex_link(const Box& box, std::span<const LocalForm> forms,
+                                        const Groups& sites, const Border& border);
+  /// Does the region of every site show at most once on the border of the part?
+  [[nodiscard]] static bool each_shows_once(const Border& border);
+  [[nodiscard]] Trouble find_corners_in_plane() const;
   [[nodiscard]] static bool wholly_inside(const Border& border);
   [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
