@@ -26,7 +26,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
-                medial = add_medial_command(app);
+                medial = add_medial_command(app), voronoi = add_voronoi_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   catch_interrupts();
   if (app.got_subcommand("info")) return info();
   if (app.got_subcommand("make")) return make();
+  if (app.got_subcommand("voronoi")) return voronoi();
   return medial();
 }
 

