@@ -18,7 +18,6 @@ constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
 /// the plane so near that moving the plane is better.
 constexpr std::uint32_t kMaxBoxes = 50'000;
-constexpr std::size_t kMaxGroups = 24;  // more: bisecting is cheaper than testing all pairs
 
 /// A direction w (in the plane) with g . w < 0 for all given vectors, if they span less than pi.
 std::optional<std::array<double, 2>> opposite(std::span<const std::array<double, 2>> g) {
@@ -410,8 +409,7 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
       accept_star(box, forms, feet, feet, border))
     return true;
   if (context_.voronoi())
-    return accept_edge_sectors(box, forms, ties, border) ||
-           accept_vertex_link(box, forms, ties, border);
+    return accept_convex(box, forms, border) || accept_vertex_link(box, forms, ties, border);
   return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border);
 }
 
