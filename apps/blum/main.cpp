@@ -27,7 +27,8 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
-                medial = add_medial_command(app), field = add_field_command(app);
+                medial = add_medial_command(app), field = add_field_command(app),
+                voronoi = add_voronoi_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("info")) return info();
   if (app.got_subcommand("make")) return make();
   if (app.got_subcommand("field")) return field();
+  if (app.got_subcommand("voronoi")) return voronoi();
   return medial();
 }
 

@@ -67,6 +67,18 @@ const std::vector<Shape>& all_shapes() {
        "n facets about the axis, m about the tube; radii R > r",
        {{"n", 8, true, 3}, {"m", 4, true, 3}, {"R", 2}, {"r", 0.75}},
        [](P p, Move) { return shapes::torus(whole(p[0]), whole(p[1]), p[2], p[3]); }},
+      {"planar_torus",
+       "the same with exactly planar trapezoids",
+       {{"n", 8, true, 3}, {"m", 4, true, 3}, {"R", 2}, {"r", 0.75}},
+       [](P p, Move) { return shapes::planar_torus(whole(p[0]), whole(p[1]), p[2], p[3]); }},
+      {"spoon",
+       "spoon of 84 triangles, 44 vertices; none of its 254 features is degenerate",
+       {},
+       [](P, Move) { return shapes::spoon(); }},
+      {"chisel",
+       "chisel of 632 triangles, 318 vertices: its handle flattened, perturbed at random",
+       {},
+       [](P, Move) { return shapes::chisel(); }},
       {"knot",
        "tube about the (p,q) torus knot: n pieces, s sides, radii R > r, tube radius t",
        {{"p", 2, true, 1},
@@ -131,7 +143,7 @@ Result<std::vector<double>> complete(const Shape& shape, const std::vector<doubl
 /// Conditions between parameters that the generators require.
 std::optional<std::string> conflict(const std::string& shape, const std::vector<double>& p) {
   if (shape == "lbracket" && !(p[2] < std::min(p[0], p[1]))) return "t must be less than a and b";
-  if (shape == "torus" && !(p[2] > p[3])) return "R must be greater than r";
+  if ((shape == "torus" || shape == "planar_torus") && !(p[2] > p[3])) return "R must be greater than r";
   if (shape == "knot" && !(p[4] > p[5])) return "R must be greater than r";
   if (shape == "knot" && std::gcd(whole(p[0]), whole(p[1])) != 1) return "p and q must be coprime";
   return std::nullopt;

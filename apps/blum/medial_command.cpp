@@ -1,4 +1,5 @@
-// `blum medial`: from a file to the certified medial axis, in files and as a summary.
+// `blum medial` and `blum voronoi`: from a file to the certified medial axis or Voronoi diagram, in
+// files and as a summary.
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,6 +40,7 @@ struct MedialArguments {
   std::string theta_csv;
   bool with_angles = false;
   AngleOptions angles;
+  DiagramKind kind = DiagramKind::kMedial;
   MedialOptions options;
 };
 
@@ -159,6 +161,9 @@ int run_medial(MedialArguments arguments) {
   }
   arguments.angles.wanted =
       arguments.with_angles || arguments.theta || !arguments.theta_table.empty();
+  if (!(arguments.options.margin > 0 && arguments.options.margin <= 100)) {
+    return report_usage("--margin: not in (0, 100]");
+  }
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
   std::vector<fs::path> files = outputs(arguments);
@@ -202,7 +207,9 @@ int run_medial(MedialArguments arguments) {
       bar.show(progress);
       return interrupted_by() == 0;
     };
-    return compute_medial_axis(solid.value(), arguments.options, arguments.angles);
+    return arguments.kind == DiagramKind::kMedial
+               ? compute_medial_axis(solid.value(), arguments.options, arguments.angles)
+               : compute_voronoi_diagram(solid.value(), arguments.options);
   };
   const Result<MedialResult> result = compute();
   if (interrupted_by() != 0) return interrupted();
@@ -241,10 +248,8 @@ int run_medial(MedialArguments arguments) {
   return certified ? kSuccess : kNotCertified;
 }
 
-}  // namespace
-
-Command add_medial_command(CLI::App& app) {
-  CLI::App* medial = app.add_subcommand("medial", "Compute the certified medial axis of a solid");
+/// The options that both commands have.
+std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
   const auto arguments = std::make_shared<MedialArguments>();
   MedialOptions& options = arguments->options;
   medial->add_option("MODEL", arguments->model, "OFF, OBJ, STL or PLY")->required();
@@ -328,6 +333,14 @@ Command add_medial_command(CLI::App& app) {
                    "The result does not depend on it (default: the number of cores)")
       ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str();
+  return arguments;
+}
+
+}  // namespace
+
+Command add_medial_command(CLI::App& app) {
+  CLI::App* medial = app.add_subcommand("medial", "Compute the certified medial axis of a solid");
+  const auto arguments = add_options(medial);
   medial->footer(
       R"(Writes PREFIX.ma (text), PREFIX.vtp (ParaView) and PREFIX.obj. Cells that the budget
 (--max-depth, --max-cells, --time-limit, --max-memory) leaves undecided are reported and written
@@ -339,6 +352,40 @@ Examples:
   blum medial part.stl --theta 60 --theta-table 0,30,60,90,120,150,180
   blum medial part.stl -o out/part --summary out/part.json --time-limit 60
   blum medial part.stl --coplanar-tolerance 1e-6 --write-flattened out/flat.off)");
+  return [arguments] { return run_medial(*arguments); };
+}
+
+Command add_voronoi_command(CLI::App& app) {
+  CLI::App* voronoi = app.add_subcommand(
+      "voronoi", "Compute the certified Voronoi diagram of a solid's faces, edges and vertices");
+  const auto arguments = add_options(voronoi);
+  arguments->kind = DiagramKind::kVoronoi;
+  MedialOptions& options = arguments->options;
+  voronoi
+      ->add_option("--margin", options.margin,
+                   "How much larger than the solid's the box is in which the diagram is computed,\n"
+                   "as a fraction; at least, up to a tenth more by chance")
+      ->capture_default_str();
+  voronoi
+      ->add_option("--criterion", options.criterion,
+                   "When a cell is accepted: strict (Sud's thesis), disks (regions are disks on its\n"
+                   "surface, none is hidden) or relaxed (the same, and what the flow to the\n"
+                   "boundary proves)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Criterion>{{"strict", Criterion::kStrict},
+                                           {"disks", Criterion::kDisks},
+                                           {"relaxed", Criterion::kRelaxed}}))
+      ->default_str("relaxed");
+  voronoi->footer(
+      R"(The sites are the triangles, edges and vertices of the boundary that have a region with an
+interior. The diagram is computed inside and outside the solid, in a box around it. Files and exit
+codes are those of `blum medial`; the summary gains "voronoi", with
+euler = 1 + regions - pieces_euler.
+
+Examples:
+  blum voronoi part.stl
+  blum voronoi part.stl --margin 0.5 --summary part.json
+  blum voronoi part.stl --criterion strict --time-limit 60)");
   return [arguments] { return run_medial(*arguments); };
 }
 

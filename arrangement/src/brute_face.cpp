@@ -36,7 +36,7 @@ class Assembler {
         solid_(*problem.solid),
         out_(out),
         s_(rect_setting(solid_, problem.rect, problem.candidates, problem.triangles,
-                        problem.interior)),
+                        problem.interior, problem.kind)),
         sweep_(sweep(s_)),
         map_(make_map(s_, sweep_)),
         node_of_(sweep_.element.size(), -1) {}
@@ -256,7 +256,8 @@ FaceDiagram brute_face(const FaceProblem& problem) {
     require_general_position(*problem.solid, problem.rect, problem.triangles);
     for (int side = 0; side < 4; ++side) {
       auto diagram = brute_segment(*problem.solid, side_segment(problem.rect, side),
-                                   problem.candidates, problem.triangles, problem.interior);
+                                   problem.candidates, problem.triangles, problem.interior,
+                                   problem.kind);
       if (!diagram) throw BadPosition("side " + std::to_string(side) + " is in bad position");
       out.side[at(side)] = std::make_shared<const SegmentDiagram>(std::move(*diagram));
     }

@@ -190,6 +190,7 @@ bool vanishes(const Setting& setting, const Fiber& fiber, const Affine& g, int p
 
 bool feet_differ(const Setting& setting, const Fiber& fiber, int point,
                  const std::vector<int>& governors) {
+  if (setting.kind == DiagramKind::kVoronoi) return governors.size() > 1;  // all ties count
   for (const int i : governors) {
     for (const int j : governors) {
       if (j >= i || !setting.essential[at(i)][at(j)]) continue;

@@ -48,9 +48,9 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
 std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& segment,
                                             std::span<const SiteId> candidates,
                                             std::span<const std::uint32_t> triangles,
-                                            bool interior) {
+                                            bool interior, DiagramKind kind) {
   BLUM_CHECK(segment.t0 < segment.t1);
-  const Setting setting = segment_setting(solid, segment, candidates, triangles);
+  const Setting setting = segment_setting(solid, segment, candidates, triangles, kind);
   const Fiber fiber(setting, rational(0));
   const auto end = [&](std::size_t k) {
     return 2 * fiber.point_of(setting.limit[k].curve[0].first, 0) + 1;

@@ -66,7 +66,7 @@ TriangleForms triangle_forms(const Solid& solid, const Moving& x, std::uint32_t 
   return out;
 }
 
-SiteForms site_forms(const Solid& solid, const Moving& x, SiteId s) {
+SiteForms site_forms(const Solid& solid, const Moving& x, SiteId s, DiagramKind kind) {
   const SiteIndex index(solid);
   const std::uint32_t e = index.element(s);
   SiteForms out;
@@ -99,7 +99,8 @@ SiteForms site_forms(const Solid& solid, const Moving& x, SiteId s) {
   } else {
     const TriangleForms t = triangle_forms(solid, x, e);
     out.squared_distance = combine({}, 1 / t.nn, square(t.plane));
-    out.domain = {t.plane, t.prism[0], t.prism[1], t.prism[2]};
+    if (kind == DiagramKind::kMedial) out.domain.push_back(t.plane);
+    out.domain.insert(out.domain.end(), t.prism.begin(), t.prism.end());
   }
   return out;
 }
@@ -133,7 +134,7 @@ class Builder {
     for (const SiteId c : candidates) {
       if (degenerate(solid, c)) continue;
       s_.site.push_back(c);
-      forms.push_back(site_forms(solid, s_.x, c));
+      forms.push_back(site_forms(solid, s_.x, c, s_.kind));
     }
     const std::size_t k = s_.site.size();
     s_.difference.assign(k, std::vector<Function>(k));
@@ -146,7 +147,8 @@ class Builder {
         s_.difference[i][j] = f;
         f.sign = -f.sign;
         s_.difference[j][i] = std::move(f);
-        s_.essential[i][j] = s_.essential[j][i] = !redundant(solid, s_.site[i], s_.site[j]);
+        s_.essential[i][j] = s_.essential[j][i] =
+            s_.kind == DiagramKind::kVoronoi || !redundant(solid, s_.site[i], s_.site[j]);
       }
     }
     for (const std::uint32_t t : s_.triangle) {
@@ -235,9 +237,10 @@ Moving Setting::foot(int i) const {
 
 Setting segment_setting(const Solid& solid, const Segment& segment,
                         std::span<const SiteId> candidates,
-                        std::span<const std::uint32_t> triangles) {
+                        std::span<const std::uint32_t> triangles, DiagramKind kind) {
   Setting s;
   s.solid = &solid;
+  s.kind = kind;
   s.triangle.assign(triangles.begin(), triangles.end());
   s.x[static_cast<std::size_t>(segment.axis)] = {0, 1, 0};
   s.x[static_cast<std::size_t>(u_axis(segment.axis))] = {0, 0, Rational(segment.u)};
@@ -247,11 +250,13 @@ Setting segment_setting(const Solid& solid, const Segment& segment,
 }
 
 Setting rect_setting(const Solid& solid, const Rect& rect, std::span<const SiteId> candidates,
-                     std::span<const std::uint32_t> triangles, bool interior) {
+                     std::span<const std::uint32_t> triangles, bool interior,
+                     DiagramKind kind) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     Setting s;
     s.solid = &solid;
     s.interior = interior;
+    s.kind = kind;
     s.triangle.assign(triangles.begin(), triangles.end());
     s.x[static_cast<std::size_t>(rect.axis)] = {0, 0, Rational(rect.level)};
     s.x[static_cast<std::size_t>(u_axis(rect.axis))] = {1, 0, 0};

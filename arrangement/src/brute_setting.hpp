@@ -13,6 +13,7 @@
 
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/site.hpp"
+#include "blum/kernel/site_geometry.hpp"
 #include "blum/kernel/solid.hpp"
 #include "brute_algebra.hpp"
 
@@ -37,6 +38,7 @@ struct Function {
 struct Setting {
   const Solid* solid = nullptr;
   bool interior = false;  ///< FaceProblem::interior
+  DiagramKind kind = DiagramKind::kMedial;
   Moving x;               ///< the point with coordinates (u, v)
   Rational shear;
   std::vector<SiteId> site;  ///< candidates without degenerate features
@@ -49,7 +51,7 @@ struct Setting {
   std::vector<std::vector<Function>> prism;       ///< [t]: all <= 0 on the triangle
   std::vector<Function> limit;                    ///< all >= 0 in the rectangle or segment
   std::vector<Rational> limit_value;  ///< [k]: constant of limit k, which is +-u or +-v plus it
-  std::vector<std::vector<char>> essential;  ///< [i][j]: not redundant (theory section 1)
+  std::vector<std::vector<char>> essential;  ///< [i][j]: ties count
 
   /// The function g of (u, v) in the coordinates (s, v); nullopt if the shear is not generic.
   [[nodiscard]] std::optional<Factors> factor(const Quadratic& g) const;
@@ -64,11 +66,12 @@ struct Setting {
 /// The setting on the line of the segment; limit[0] at t0, limit[1] at t1.
 [[nodiscard]] Setting segment_setting(const Solid& solid, const Segment& segment,
                                       std::span<const SiteId> candidates,
-                                      std::span<const std::uint32_t> triangles);
+                                      std::span<const std::uint32_t> triangles, DiagramKind kind);
 /// The setting in the plane of the rectangle; limit[k] belongs to Side k.
 [[nodiscard]] Setting rect_setting(const Solid& solid, const Rect& rect,
                                    std::span<const SiteId> candidates,
-                                   std::span<const std::uint32_t> triangles, bool interior);
+                                   std::span<const std::uint32_t> triangles, bool interior,
+                                   DiagramKind kind);
 
 /// Carriers equal or one contained in the other. Exact.
 [[nodiscard]] bool redundant(const Solid& solid, SiteId a, SiteId b);

@@ -21,6 +21,7 @@ std::uint64_t pair_key(SiteId a, SiteId b) {
 }  // namespace
 
 bool EngineContext::never_essential(SiteId a, SiteId b) {
+  if (voronoi()) return a == b;
   const auto [it, fresh] = never_.try_emplace(pair_key(a, b), false);
   if (fresh) it->second = predicates.never_essential(a, b);
   return it->second;
@@ -36,6 +37,13 @@ const BallVector& EngineContext::unit_difference(SiteId a, SiteId b) {
 Predicates::FootCone EngineContext::foot_cone(std::uint32_t vertex) {
   const auto [it, fresh] = foot_cone_.try_emplace(vertex, Predicates::FootCone::kNone);
   if (fresh) it->second = predicates.foot_cone(vertex);
+  return it->second;
+}
+
+const Touch& EngineContext::touch(SiteId a, SiteId b) {
+  const std::uint64_t key = (std::uint64_t{a.value} << 32) | b.value;
+  const auto [it, fresh] = touch_.try_emplace(key);
+  if (fresh) it->second = blum::touch(predicates, a, b);
   return it->second;
 }
 

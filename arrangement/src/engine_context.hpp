@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "blum/arrangement/production_engine.hpp"
+#include "blum/arrangement/touching.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/predicates.hpp"
 
@@ -35,10 +36,14 @@ struct EngineContext {
     return geometry.solid().triangle.size() <= kMaxTriangles;
   }
 
-  /// Predicates::never_essential, unit_difference and foot_cone, remembered.
+  [[nodiscard]] bool voronoi() const { return geometry.kind() == DiagramKind::kVoronoi; }
+
+  /// Do ties of two sites never count? Predicates::never_essential, remembered; in a Voronoi diagram
+  /// all ties count. unit_difference, foot_cone and (Voronoi) touch are remembered too.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
   [[nodiscard]] Predicates::FootCone foot_cone(std::uint32_t vertex);
+  [[nodiscard]] const Touch& touch(SiteId a, SiteId b);
 
   /// Reproducible number in [0, 1) from the seed and the given keys.
   [[nodiscard]] double jitter(double a, double b, std::uint64_t c) const;
@@ -49,6 +54,7 @@ struct EngineContext {
   std::unordered_map<std::uint64_t, bool> never_;
   std::unordered_map<std::uint64_t, BallVector> difference_;
   std::unordered_map<std::uint32_t, Predicates::FootCone> foot_cone_;
+  std::unordered_map<std::uint64_t, Touch> touch_;
 };
 
 }  // namespace blum

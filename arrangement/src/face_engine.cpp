@@ -18,7 +18,6 @@ constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
 /// the plane so near that moving the plane is better.
 constexpr std::uint32_t kMaxBoxes = 50'000;
-constexpr std::size_t kMaxGroups = 24;  // more: bisecting is cheaper than testing all pairs
 
 /// A direction w (in the plane) with g . w < 0 for all given vectors, if they span less than pi.
 std::optional<std::array<double, 2>> opposite(std::span<const std::array<double, 2>> g) {
@@ -111,6 +110,7 @@ void FaceEngine::label_element(std::uint32_t element, std::span<const SiteId> la
 Trouble FaceEngine::find_traces(Box& root) {
   const Solid& solid = context_.geometry.solid();
   const Rect& r = problem_.rect;
+  if (context_.voronoi()) return find_corners_in_plane();
   std::map<std::uint32_t, std::uint32_t> point_of_edge;
   for (const auto t : problem_.triangles) {
     const auto& tri = solid.triangle[t];
@@ -302,7 +302,7 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
                              sign * (solid.point[corner[k]][v_] - o[v_])});
     }
   }
-  if (!meet) return false;
+  if (!meet || context_.voronoi()) return false;
   if (along(against)) return true;
 
   // By the planes through their common convex edges.
@@ -408,6 +408,8 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
   if (feet.cliques && feet.count <= kMaxGroups && feet != ties &&
       accept_star(box, forms, feet, feet, border))
     return true;
+  if (context_.voronoi())
+    return accept_convex(box, forms, border) || accept_vertex_link(box, forms, ties, border);
   return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border);
 }
 

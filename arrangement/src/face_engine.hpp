@@ -24,6 +24,8 @@ class FaceEngine {
   [[nodiscard]] FaceDiagram solve(const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side);
 
  private:
+  static constexpr std::size_t kMaxGroups = 24;  // more: bisecting is cheaper than all pairs
+
   /// A point of a side of a part: an essential tie (node) or a crossing of ∂O.
   struct Break {
     Breakpoint point;
@@ -84,6 +86,20 @@ class FaceEngine {
   /// Theorem G: all sites meet in one vertex.
   [[nodiscard]] bool accept_cone(const Box& box, std::span<const LocalForm> forms,
                                  const Groups& feet, const Border& border);
+  /// Voronoi: all regions are convex in the part, and all show on its border.
+  [[nodiscard]] bool accept_convex(const Box& box, std::span<const LocalForm> forms,
+                                   const Border& border);
+  [[nodiscard]] bool ties_are_straight(std::span<const LocalForm> forms, const Range& range);
+  [[nodiscard]] bool edge_and_its_faces(std::span<const LocalForm> forms, const Range& range) const;
+  /// Records a part whose regions are connected and all show on the border, perhaps several times:
+  /// then the graph is a forest. False, and nothing recorded, if the border contradicts that.
+  [[nodiscard]] bool record_forest(const Circle& circle, const Box& box);
+  /// Voronoi, Theorem G': all sites meet in one vertex.
+  [[nodiscard]] bool accept_vertex_link(const Box& box, std::span<const LocalForm> forms,
+                                        const Groups& sites, const Border& border);
+  /// Does the region of every site show at most once on the border of the part?
+  [[nodiscard]] static bool each_shows_once(const Border& border);
+  [[nodiscard]] Trouble find_corners_in_plane() const;
   [[nodiscard]] static bool wholly_inside(const Border& border);
   [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?

@@ -25,6 +25,7 @@ bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
   part.candidates = sites;
   part.triangles = interior ? std::span<const std::uint32_t>{} : box.triangles;
   part.interior = interior;
+  part.kind = context_.geometry.kind();
   const FaceDiagram d = brute_face(part);
   if (d.status != FaceStatus::kDecided) return false;
   ++context_.counts.exact_parts;

@@ -7,6 +7,7 @@
 
 #include "face_engine.hpp"
 #include "polar_cone.hpp"
+#include "vertex_cone.hpp"
 
 namespace blum {
 
@@ -61,9 +62,6 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
   return false;
 }
 
-namespace {
-
-/// A vertex that is a corner of all sites; nullopt if there is none.
 std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
                                            std::span<const LocalForm> forms) {
   int n = 0;
@@ -75,11 +73,14 @@ std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
   return std::nullopt;
 }
 
+namespace {
+
 double length(const BallVector& x) { return std::sqrt(dot(x, x).high()) * (1 + 0x1p-40); }
 
-/// Are all feet of points of the range on the sites at v, extended to cones from v, in the sites
-/// themselves? Projections move no farther apart than points, so their distance from v is at most
-/// that of the centre's plus the radius.
+}  // namespace
+
+// Projections move no farther apart than points, so their distance from v is at most that of the
+// centre's plus the radius.
 bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& range) {
   const Solid& solid = geometry.solid();
   const Point3& o = solid.point[v];
@@ -109,8 +110,6 @@ bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& ra
   }
   return (farthest + range.radius()) * (1 + 0x1p-40) < reach;
 }
-
-}  // namespace
 
 bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, const Groups& feet,
                              const Border& border) {

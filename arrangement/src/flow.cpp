@@ -6,12 +6,15 @@ namespace blum {
 
 bool never_leaves(const SiteGeometry& geometry, SiteId site, const Rect& rect, int outward) {
   const Ball sign(outward);
-  if (geometry.index().kind(site) == SiteKind::kFace)
+  const bool medial = geometry.kind() == DiagramKind::kMedial;
+  if (medial && geometry.index().kind(site) == SiteKind::kFace)
     return (-(geometry.unit(site)[rect.axis] * sign)).sign() == 1;
   const Range range = Range::of(point_on(rect.axis, rect.level, rect.u0, rect.v0),
                                 point_on(rect.axis, rect.level, rect.u1, rect.v1));
   LocalForm form;
   if (!local_form(geometry, site, range, form)) return true;  // governs no point of the rectangle
+  if (form.side != 0)
+    return (with_sign(geometry.unit(site)[rect.axis], form.side) * sign).sign() == 1;
   double spread = 0;
   for (int k = 0; k < 3; ++k) spread += 2 * form.matrix(rect.axis, k).magnitude() * range.half[k];
   return (form.gradient[rect.axis] * sign).low() > spread * (1 + 0x1p-40);

@@ -53,6 +53,7 @@ Groups Groups::by_ties(EngineContext& context, std::span<const LocalForm> forms)
 
 Groups Groups::by_feet(EngineContext& context, std::span<const LocalForm> forms,
                        const Range& range) {
+  if (context.voronoi()) return by_ties(context, forms);  // every site is a region of its own
   Groups g = components(
       forms, [&](SiteId a, SiteId b) { return may_share_foot(context, a, b, forms, range); });
   g.cliques = are_cliques(context, forms, g);
@@ -89,6 +90,7 @@ bool may_share_foot(EngineContext& context, SiteId a, SiteId b, std::span<const 
                     const Range& range) {
   const SiteGeometry& geometry = context.geometry;
   const CommonCorners common = common_corners(geometry, a, b);
+  if (context.voronoi()) return common.count > 0;
   for (int k = 0; k < common.count; ++k)
     if (may_be_foot(context, common.vertex[k], forms, range)) return true;
   return common.count >= 2 && may_hold_foot(context, common.vertex[0], common.vertex[1], forms);

@@ -15,21 +15,20 @@ double up(double x) { return x * (1 + 0x1p-50) + 0x1p-1000; }
 constexpr std::size_t kReferences = 6;
 constexpr std::size_t kMeanReferences = 3;
 
-/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range?
+/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their sides?
 bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& r,
                        const LocalForm& s, const Range& range) {
   const Ball half(0.5);
   const BallVector &na = geometry.unit(a.site), &nr = geometry.unit(r.site),
                    &ns = geometry.unit(s.site);
+  const int sa = a.side != 0 ? a.side : a.height.mid > 0 ? 1 : -1;
   BallVector d;
-  for (int k = 0; k < 3; ++k) d[k] = na[k] - half * (nr[k] + ns[k]);
-  return (half * (r.height + s.height) - a.height).low() - spread(d, range) > 0;
-}
-
-/// Does every point of the range satisfy w.(x - p) <= 0?
-bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h, const Range& range) {
-  return dot(h.w, difference(range.center, geometry.solid().point[h.base])).high() +
-             spread(h.w, range) <=
+  for (int k = 0; k < 3; ++k)
+    d[k] = with_sign(na[k], sa) - half * (with_sign(nr[k], r.side) + with_sign(ns[k], s.side));
+  return (with_sign(a.height, sa) -
+          half * (with_sign(r.height, r.side) + with_sign(s.height, s.side)))
+                 .low() -
+             spread(d, range) >
          0;
 }
 
@@ -49,6 +48,18 @@ bool covered_with_neighbour(const SiteGeometry& geometry, std::uint32_t t, int k
 }
 
 }  // namespace
+
+bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h, const Range& range) {
+  return dot(h.w, difference(range.center, geometry.solid().point[h.base])).high() +
+             spread(h.w, range) <=
+         0;
+}
+
+BallVector signed_difference(const BallVector& a, int side_a, const BallVector& b, int side_b) {
+  BallVector d;
+  for (int k = 0; k < 3; ++k) d[k] = with_sign(a[k], side_a) - with_sign(b[k], side_b);
+  return d;
+}
 
 double spread(const BallVector& w, const Range& r) {
   return up(w[0].magnitude() * r.half[0] + w[1].magnitude() * r.half[1] +
@@ -100,7 +111,9 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
   out.kind = geometry.index().kind(site);
   const auto domain = geometry.domain(site);
   const std::uint32_t own = geometry.own_conditions(site);
-  out.covers = out.covers_inside = true;
+  out.side = 0;
+  out.covers = true;
+  bool incidence = true;
   int violated = 0, last_violated = 0;
   for (std::uint32_t k = 0; k < domain.size(); ++k) {
     const HalfSpace& h = domain[k];
@@ -112,7 +125,7 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
         ++violated;
         last_violated = static_cast<int>(k);
       } else {
-        out.covers_inside = false;
+        incidence = false;
       }
     }
   }
@@ -123,7 +136,6 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
     out.covers =
         violated == 1 && out.kind == SiteKind::kFace &&
         covered_with_neighbour(geometry, geometry.index().element(site), last_violated, range);
-  out.covers_inside = out.covers_inside && out.covers;
   const BallVector d = difference(c, geometry.base(site));
   const auto two = Ball(2.0);
   switch (out.kind) {
@@ -149,20 +161,32 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
       out.value = square(out.height);
       for (int k = 0; k < 3; ++k) out.gradient[k] = two * n[k] * out.height;
       out.a = {n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[2] * n[0]};
+      if (geometry.kind() == DiagramKind::kMedial) {
+        out.side = -1;
+      } else {
+        const double s = spread(n, range);
+        out.side = out.height.low() > s ? 1 : out.height.high() < -s ? -1 : 0;
+        incidence = out.side != 0;
+      }
       break;
     }
   }
+  out.covers_side = out.covers && incidence;
   return true;
 }
 
 bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b,
                        const Range& range, EngineContext* context) {
-  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace && b.covers_inside) {
-    // Inside both planes the distances are minus the heights: linear, no second-order loss.
+  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace && b.covers_side) {
+    // The distances are the heights times their signs: linear, no second-order loss. (With any
+    // sign for a, its distance is at least that.)
+    const int side = a.side != 0 ? a.side : a.height.mid > 0 ? 1 : -1;
     const BallVector &na = geometry.unit(a.site), &nb = geometry.unit(b.site);
-    const BallVector d = {na[0] - nb[0], na[1] - nb[1], na[2] - nb[2]};
-    if ((b.height - a.height).low() - spread(d, range) > 0) return true;
-    return context != nullptr && heights_compared(*context, b.site, a.site, range) > 0;
+    const BallVector d = signed_difference(na, side, nb, b.side);
+    const Ball h = with_sign(a.height, side) - with_sign(b.height, b.side);
+    if (h.low() - spread(d, range) > 0) return true;
+    return context != nullptr && side == b.side &&
+           heights_compared(*context, a.site, b.site, range) == side;
   }
   BallVector g;
   for (int k = 0; k < 3; ++k) g[k] = a.gradient[k] - b.gradient[k];
@@ -206,10 +230,11 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
     nearest = std::min(nearest, up(upper));
   }
   const double limit = up(nearest + 2 * radius);
+  const bool two_sided = geometry.kind() == DiagramKind::kVoronoi;
   const auto too_far = [&](const LocalForm& f) {
     if (f.kind == SiteKind::kFace) {
-      const double s = spread(geometry.unit(f.site), range);
-      return -f.height.high() - s > up(limit - radius);
+      const double s = spread(geometry.unit(f.site), range), allowed = up(limit - radius);
+      return -f.height.high() - s > allowed || (two_sided && f.height.low() - s > allowed);
     }
     return f.value.low() > up(limit * limit);
   };
@@ -245,7 +270,7 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
   // What is farther than the mean of two is farther than one of them at every point. That drops a
   // face whose distance nowhere reaches a seam between two others (a seam along the range).
   std::erase_if(ref,
-                [](const LocalForm& f) { return f.kind != SiteKind::kFace || !f.covers_inside; });
+                [](const LocalForm& f) { return f.kind != SiteKind::kFace || !f.covers_side; });
   if (ref.size() < 2 || out.size() < 3) return;
   if (ref.size() > kMeanReferences) ref.resize(kMeanReferences);
   std::erase_if(out, [&](const LocalForm& f) {

@@ -36,14 +36,24 @@ struct LocalForm {
   BallVector gradient;
   std::array<Ball, 6> a;  ///< xx, yy, zz, xy, yz, zx
   Ball height;            ///< faces: signed distance of c, negative inside
+  int side = 0;           ///< faces: sign of the height wherever the face governs; 0: not certain
   bool covers = false;    ///< every point of the range projects into the closed site (or, for a
                           ///< face, into a coplanar neighbour)
-  bool covers_inside = false;  ///< and (faces) lies on the inner side
+  bool covers_side = false;  ///< and (faces) the height has the sign `side` there
 
   [[nodiscard]] const Ball& matrix(int i, int j) const {
     return i == j ? a[i] : a[(i + j == 1) ? 3 : (i + j == 3) ? 4 : 5];
   }
 };
+
+[[nodiscard]] inline Ball with_sign(const Ball& x, int sign) { return sign > 0 ? x : -x; }
+/// side_a * a - side_b * b, for signs +-1.
+[[nodiscard]] BallVector signed_difference(const BallVector& a, int side_a, const BallVector& b,
+                                           int side_b);
+
+/// Does every point x of the range satisfy w.(x - p) <= 0? False also means "not certain".
+[[nodiscard]] bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h,
+                                    const Range& range);
 
 /// Form of `site` about range.center. Returns false if the whole range lies outside its domain.
 [[nodiscard]] bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range,

@@ -69,6 +69,8 @@ void ProductionEngine::decide_clusters(const FaceProblem& problem, FaceDiagram& 
     const auto candidates = prune(problem.candidates, point_on(axis, part.level, part.u0, part.v0),
                                   point_on(axis, part.level, part.u1, part.v1));
     FaceProblem exact = problem;
+    exact.kind = impl_->context.geometry.kind();
+    exact.interior = exact.interior || impl_->context.voronoi();
     exact.rect = part;
     exact.candidates = candidates;
     const FaceDiagram d = brute_face(exact);

@@ -57,7 +57,7 @@ bool SegmentEngine::isolate_exactly(const Segment& line, const StretchEnd& a, co
   for (const LocalForm& f : forms) sites.push_back(f.site);
   std::sort(sites.begin(), sites.end());
   const auto d = brute_segment(context_.geometry.solid(), {line.axis, line.u, line.v, a.t, b.t},
-                               sites, {}, true);
+                               sites, {}, true, context_.geometry.kind());
   if (!d) return false;
   ++context_.counts.exact_stretches;
   out.insert(out.end(), d->breakpoint.begin(), d->breakpoint.end());
@@ -204,6 +204,7 @@ Trouble SegmentEngine::solve(const Segment& segment, std::span<const SiteId> can
   out.breakpoint.clear();
   out.interval.clear();
 
+  if (context_.voronoi()) triangles = {};
   const Point3 first = at(segment, segment.t0), last = at(segment, segment.t1);
   std::vector<Crossing> crossing;
   for (const auto t : triangles) {
@@ -242,7 +243,8 @@ Trouble SegmentEngine::solve(const Segment& segment, std::span<const SiteId> can
   });
   if (equal) return {FaceStatus::kBadPosition, "two boundary triangles at one point of a segment"};
 
-  const auto where = context_.inside.locate(first);
+  const auto where = context_.voronoi() ? InsideOracle::Where::kInside
+                                        : context_.inside.locate(first);
   if (where == InsideOracle::Where::kBoundary)
     return {FaceStatus::kBadPosition, "end of a segment on the boundary"};
   bool inside = where == InsideOracle::Where::kInside;

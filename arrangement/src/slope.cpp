@@ -9,10 +9,20 @@ namespace blum {
 
 PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b) {
   PairSlope r;
-  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace) {
-    // Inside both planes d = -height, so grad(d_a - d_b) = n_b - n_a: constant, and accurate
-    // however close the planes are.
-    r.gradient = context.unit_difference(b.site, a.site);
+  if (context.voronoi()) {
+    if (const Touch& t = context.touch(a.site, b.site); t.kind == Touch::Kind::kPlane) {
+      r.gradient = t.w;
+      r.constant = true;
+      return r;
+    }
+  }
+  if (a.side != 0 && b.side != 0) {
+    // The distances are the heights times their signs, so grad(d_a - d_b) is constant; with equal
+    // signs it is accurate however close the planes are.
+    r.gradient = a.side != b.side ? signed_difference(context.geometry.unit(a.site), a.side,
+                                                      context.geometry.unit(b.site), b.side)
+                 : a.side < 0     ? context.unit_difference(b.site, a.site)
+                                  : context.unit_difference(a.site, b.site);
     r.constant = true;
     return r;
   }
@@ -59,9 +69,17 @@ double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& 
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
-  // Faces that both govern have the point on their inner sides, at minus the heights.
-  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace &&
-      heights_compared(context, a.site, b.site, range) != 0)
+  if (context.voronoi()) {
+    const Touch& t = context.touch(a.site, b.site);
+    if (t.kind == Touch::Kind::kNever) return false;
+    if (t.kind == Touch::Kind::kPlane) {
+      const Ball h = dot(t.w, difference(range.center, context.geometry.solid().point[t.base]));
+      const double s = spread(t.w, range);
+      return h.low() <= s && h.high() >= -s;
+    }
+  }
+  // Distances of faces that both govern are their heights times the same sign.
+  if (a.side != 0 && a.side == b.side && heights_compared(context, a.site, b.site, range) != 0)
     return false;
   return !certainly_farther(context.geometry, a, b, range) &&
          !certainly_farther(context.geometry, b, a, range);

@@ -16,7 +16,7 @@ namespace blum {
 /// and b tie.
 struct PairSlope {
   BallVector gradient;    ///< at the centre
-  bool constant = false;  ///< two faces: the same everywhere
+  bool constant = false;  ///< two faces, or sites that touch: the same everywhere
 };
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b);
 

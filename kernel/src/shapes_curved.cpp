@@ -50,6 +50,29 @@ PolygonMesh torus(int n, int m, double R, double r) {
   return mesh;
 }
 
+PolygonMesh planar_torus(int n, int m, double R, double r) {
+  BLUM_CHECK(n >= 3 && m >= 3 && r > 0 && R > r);
+  // Products of 20-bit numbers are exact, so the four corners stay in one plane.
+  const auto rounded = [](double x, double scale) {
+    const double unit = std::ldexp(1.0, std::ilogb(scale) - 19);
+    return std::nearbyint(x / unit) * unit;
+  };
+  PolygonMesh mesh;
+  for (int i = 0; i < n; ++i) {
+    const auto [cu, su] = unit_circle(i, n);
+    for (int j = 0; j < m; ++j) {
+      const auto [cv, sv] = unit_circle(j, m);
+      const double ring = rounded(R + r * cv, R + r);
+      mesh.points.push_back({ring * rounded(cu, 1), ring * rounded(su, 1), rounded(r * sv, r)});
+    }
+  }
+  const auto at = [n, m](int i, int j) { return static_cast<std::uint32_t>(i % n * m + j % m); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+  return mesh;
+}
+
 PolygonMesh knot(const KnotShape& shape) {
   BLUM_CHECK(shape.n >= 3 && shape.sides >= 3 && shape.p >= 1 && shape.q >= 1);
   BLUM_CHECK(shape.tube > 0 && shape.r > 0 && shape.R > shape.r);

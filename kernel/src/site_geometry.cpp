@@ -14,7 +14,9 @@ BallVector negative(const BallVector& w) { return {-w[0], -w[1], -w[2]}; }
 
 }  // namespace
 
-SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
+SiteGeometry::SiteGeometry(const Solid& solid, DiagramKind kind)
+    : solid_(&solid), kind_(kind), index_(solid) {
+  const bool medial = kind == DiagramKind::kMedial;
   half_begin_.reserve(index_.size() + 1);
   unit_.resize(index_.size());
   for (std::uint32_t e = 0; e < solid.edge.size(); ++e)
@@ -31,7 +33,7 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
     bool has_reflex = false;
     for (const auto e : solid.edges_at(v)) has_reflex |= solid.edge[e].kind == EdgeKind::kReflex;
-    if (!has_reflex || solid.vertex_degenerate[v]) continue;
+    if ((medial && !has_reflex) || solid.vertex_degenerate[v]) continue;
     candidates_.push_back(index_.vertex(v));
     for (const auto e : solid.edges_at(v)) {
       const auto& ends = solid.edge[e].vertex;
@@ -47,7 +49,7 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     const SolidEdge& edge = solid.edge[e];
     const auto [a, b] = edge.vertex;
     const SiteId site = index_.edge(e);
-    if (edge.kind != EdgeKind::kReflex) continue;
+    if (edge.kind == EdgeKind::kFlat || (medial && edge.kind == EdgeKind::kConvex)) continue;
     candidates_.push_back(site);
     const BallVector& u = unit_[site.value];
     add({Kind::kAlong, a, b, 0, b, {}}, u);
@@ -74,7 +76,7 @@ SiteGeometry::SiteGeometry(const Solid& solid) : solid_(&solid), index_(solid) {
     add({Kind::kPrism, a, b, c, a, {}}, out(0));
     add({Kind::kPrism, b, c, a, b, {}}, out(1));
     add({Kind::kPrism, c, a, b, c, {}}, out(2));
-    add({Kind::kPlane, a, b, c, a, {}}, n);
+    if (medial) add({Kind::kPlane, a, b, c, a, {}}, n);
   }
   half_begin_.push_back(static_cast<std::uint32_t>(half_.size()));
 }

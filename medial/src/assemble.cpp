@@ -20,7 +20,8 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 bool is_accepted(const Leaf& leaf) {
-  return leaf.theorem == LeafTheorem::kConical || leaf.theorem == LeafTheorem::kBoundary;
+  return leaf.theorem == LeafTheorem::kConical || leaf.theorem == LeafTheorem::kBoundary ||
+         leaf.theorem == LeafTheorem::kVoronoi;
 }
 
 class Assembler {
@@ -28,13 +29,15 @@ class Assembler {
   Assembler(const SiteGeometry& geometry, const Subdivision& subdivision, EngineSet& engines)
       : geometry_(geometry),
         solid_(geometry.solid()),
+        medial_(geometry.kind() == DiagramKind::kMedial),
         subdivision_(subdivision),
         engines_(engines) {}
 
   Assembly run();
 
  private:
-  /// The common rectangle of two neighbouring leaves.
+  /// The common rectangle of two neighbouring leaves; or, Voronoi, a leaf's face on the box around
+  /// all, with kNone beyond.
   struct Interface {
     std::uint32_t low, high;  // leaves
     Rect rect;
@@ -68,6 +71,7 @@ class Assembler {
   void add_leaves();
 
   [[nodiscard]] bool stopped() { return engines_.watch().flag(); }
+  void border_faces(std::uint32_t node, int face);
   void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
   void solve_interface(Interface& interface, int thread);
   [[nodiscard]] static Placed place(Locator& locator, const Rect& rect, const FaceNode& node,
@@ -87,6 +91,7 @@ class Assembler {
 
   const SiteGeometry& geometry_;
   const Solid& solid_;
+  const bool medial_;
   const Subdivision& subdivision_;
   EngineSet& engines_;
   std::vector<Interface> interface_;
@@ -105,6 +110,7 @@ class Assembler {
 };
 
 const Leaf& Assembler::donor(const Interface& i) const {
+  if (i.low == kNone || i.high == kNone) return subdivision_.leaf[std::min(i.low, i.high)];
   // Candidates of either side are complete on the common face; the shorter list is cheaper.
   const Leaf &a = subdivision_.leaf[i.low], &b = subdivision_.leaf[i.high];
   return a.candidates.size() <= b.candidates.size() ? a : b;
@@ -122,6 +128,23 @@ void Assembler::pair_cells() {
     stack.push_back(node.child);
     stack.push_back(node.child + 1);
   }
+  // Sheets of a Voronoi diagram end on the box around all.
+  if (!medial_)
+    for (int f = 0; f < 6; ++f) border_faces(0, f);
+}
+
+void Assembler::border_faces(std::uint32_t index, int face) {
+  const CellNode& node = subdivision_.node[index];
+  if (node.axis >= 0) {
+    const bool low = face % 2 == 0, along = node.axis == face / 2;
+    if (!along || low) border_faces(node.child, face);
+    if (!along || !low) border_faces(node.child + 1, face);
+    return;
+  }
+  if (!is_accepted(subdivision_.leaf[node.leaf])) return;
+  const Rect rect = box_face(node.box, face);
+  interface_.push_back(face % 2 == 0 ? Interface{kNone, node.leaf, rect, nullptr, {}}
+                                     : Interface{node.leaf, kNone, rect, nullptr, {}});
 }
 
 void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect) {
@@ -162,12 +185,15 @@ void Assembler::solve_interfaces() {
 
 void Assembler::solve_interface(Interface& i, int thread) {
   // Nearly every interface is a face of one of its leaves.
-  const Leaf &low = subdivision_.leaf[i.low], &high = subdivision_.leaf[i.high];
   const auto side = static_cast<std::size_t>(2 * i.rect.axis);
-  if (low.face[side + 1]->rect == i.rect) {
-    i.diagram = low.face[side + 1];
-  } else if (high.face[side]->rect == i.rect) {
-    i.diagram = high.face[side];
+  const auto face_of = [&](std::uint32_t leaf, std::size_t f) {
+    return leaf == kNone ? nullptr : subdivision_.leaf[leaf].face[f];
+  };
+  const auto low = face_of(i.low, side + 1), high = face_of(i.high, side);
+  if (low && low->rect == i.rect) {
+    i.diagram = low;
+  } else if (high && high->rect == i.rect) {
+    i.diagram = high;
   } else {
     const Leaf& leaf = donor(i);
     i.diagram = LocalDiagrams(engines_.diagrams(thread), solid_, leaf.candidates, leaf.triangles)
@@ -195,7 +221,8 @@ Placed Assembler::place(Locator& locator, const Rect& rect, const FaceNode& node
 }
 
 void Assembler::drop(const Interface& interface) {
-  for (const auto leaf : {interface.low, interface.high}) dropped_[leaf] = true;
+  for (const auto leaf : {interface.low, interface.high})
+    if (leaf != kNone) dropped_[leaf] = true;
 }
 
 void Assembler::cut_lines() {
@@ -286,7 +313,10 @@ void Assembler::add_interface(const Interface& interface) {
       }
     BLUM_CHECK(n == vertices.size());
   }
-  LeafGraph &low = graph_[interface.low], &high = graph_[interface.high];
+  const auto each_leaf = [&](auto&& visit) {
+    for (const auto leaf : {interface.low, interface.high})
+      if (leaf != kNone) visit(graph_[leaf]);
+  };
   std::vector<std::uint32_t> vertex(d.node.size());
   for (std::size_t n = 0; n < d.node.size(); ++n) {
     const FaceNode& node = d.node[n];
@@ -302,8 +332,7 @@ void Assembler::add_interface(const Interface& interface) {
         break;
       case FaceNode::Kind::kConvexEdge:
         vertex[n] = add_vertex(interface.placed[n], ComplexVertex::Kind::kConvexEdge);
-        low.crossing.emplace_back(node.boundary_edge, vertex[n]);
-        high.crossing.emplace_back(node.boundary_edge, vertex[n]);
+        each_leaf([&](LeafGraph& g) { g.crossing.emplace_back(node.boundary_edge, vertex[n]); });
         break;
     }
   }
@@ -314,8 +343,7 @@ void Assembler::add_interface(const Interface& interface) {
     e.governors = {a.left, a.right};
     const auto id = static_cast<std::uint32_t>(complex_.edge.size());
     complex_.edge.push_back(e);
-    low.arc.push_back(id);
-    high.arc.push_back(id);
+    each_leaf([&](LeafGraph& g) { g.arc.push_back(id); });
   }
 }
 
@@ -323,7 +351,7 @@ void Assembler::add_leaf(std::uint32_t index) {
   const Leaf& leaf = subdivision_.leaf[index];
   LeafGraph& graph = graph_[index];
   const bool conical = leaf.theorem == LeafTheorem::kConical;
-  if (!conical) {
+  if (medial_ && !conical) {
     // The convex boundary edges inside the leaf belong to its graph.
     std::map<std::uint32_t, std::vector<std::uint32_t>> ends;
     for (const auto& [edge, vertex] : graph.crossing) ends[edge].push_back(vertex);
@@ -412,7 +440,7 @@ void Assembler::add_leaf(std::uint32_t index) {
       Point3 x = to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
       for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
-      if (engines_.inside().locate(x) != InsideOracle::Where::kInside)
+      if (medial_ && engines_.inside().locate(x) != InsideOracle::Where::kInside)
         x = nearest_base(component, x);
       placed = locator_of(0).anywhere(x, leaf.candidates);
     }
@@ -454,7 +482,8 @@ void Assembler::add_interfaces() {
       ties.vertex.push_back(add_vertex(p, ComplexVertex::Kind::kArcPoint));
   for (const Interface& i : interface_) {
     if (stopped()) return;
-    if (!dropped_[i.low] && !dropped_[i.high]) add_interface(i);
+    const auto kept = [&](std::uint32_t leaf) { return leaf == kNone || !dropped_[leaf]; };
+    if (kept(i.low) && kept(i.high)) add_interface(i);
   }
 }
 

@@ -19,6 +19,7 @@ Placed Locator::anywhere(const Point3& x, std::span<const SiteId> candidates) co
 
 Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
                     std::span<const SiteId> candidates) {
+  if (geometry_.kind() == DiagramKind::kVoronoi) return voronoi_tie(line, breakpoint, candidates);
   const auto at = [&](double t) { return point_on(line.axis, t, line.u, line.v); };
   double lo = breakpoint.lo, hi = breakpoint.hi;
   // The groups that hold the governors below and above; a shorter list of candidates may have
@@ -47,6 +48,7 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
 }
 
 Placed Locator::event(const Rect& rect, const FaceNode& node, std::span<const SiteId> candidates) {
+  if (geometry_.kind() == DiagramKind::kVoronoi) return voronoi_event(rect, node, candidates);
   const Point3 lo = point_on(rect.axis, rect.level, node.u0, node.v0),
                hi = point_on(rect.axis, rect.level, node.u1, node.v1);
   const auto groups = engine_.tie_groups(candidates, lo, hi);

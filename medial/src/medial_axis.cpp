@@ -9,7 +9,10 @@
 #include "blum/arrangement/cgal_engine.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
+#include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
+#include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/voronoi_surface.hpp"
 #include "part_angles.hpp"
 
 namespace blum {
@@ -58,14 +61,35 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
   result.max_depth = subdivision.stats.max_depth;
 }
 
-}  // namespace
+/// Of the complex: V - E + F.
+long euler_of(const CellComplex& c) {
+  return static_cast<long>(c.vertex.size()) - static_cast<long>(c.edge.size()) +
+         static_cast<long>(c.triangle.size());
+}
 
-Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
-                                         const AngleOptions& angles) {
+VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOptions& options,
+                           const CellComplex& complex, EngineSet& engines) {
+  VoronoiCheck check;
+  check.regions = geometry.candidates().size();
+  check.euler = euler_of(complex);
+  const Box3 box = root_box(geometry, options);
+  LocalDiagrams diagrams(engines.diagrams(), geometry.solid(), geometry.candidates(), {});
+  VoronoiSurface::Faces face;
+  for (int f = 0; f < 6; ++f) {
+    face[f] = diagrams.face(box_face(box, f));
+    if (face[f]->status != FaceStatus::kDecided) return check;
+  }
+  check.decided = true;
+  check.pieces_euler = VoronoiSurface(face).pieces_euler();
+  return check;
+}
+
+Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
+                             const AngleOptions& angles, DiagramKind kind) {
   if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
-      !(options.max_leaf_diameter >= 0))
+      !(options.max_leaf_diameter >= 0) || (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
     return Error{ErrorCode::kBadArgument,
-                 "max_depth, threads, time_limit_s, max_leaf_diameter or tolerance_deg out of range",
+                 "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out of range",
                  "",
                  {}};
   if (options.engine == Engine::kCgal && !find_cgal_helper()) {
@@ -75,12 +99,15 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
                  {}};
   }
   MedialResult result;
+  result.kind = kind;
+  result.criterion = options.criterion;
+  result.margin = options.margin;
   result.solid_betti = solid.betti();
   result.seed = options.seed;
 
   const auto start = std::chrono::steady_clock::now();
   RunWatch watch(options);
-  const SiteGeometry geometry(solid);
+  const SiteGeometry geometry(solid, kind);
   EngineSet engines(geometry, options, watch);
   result.threads = engines.threads();
   Result<Subdivision> subdivided = subdivide(geometry, options, engines);
@@ -101,7 +128,13 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
   if (result.certified) {
     result.betti = betti_numbers(result.complex);
     // M ≃ O: a disagreement would be a defect of this program, and must not leave it as an answer.
-    BLUM_CHECK(result.betti == result.solid_betti);
+    if (kind == DiagramKind::kMedial) BLUM_CHECK(result.betti == result.solid_betti);
+  }
+  if (kind == DiagramKind::kVoronoi) {
+    result.voronoi = check_voronoi(geometry, options, result.complex, engines);
+    // The same holds for Euler's formula in the box.
+    if (result.certified && result.voronoi->decided) BLUM_CHECK(result.voronoi->holds());
+    result.certified = result.certified && result.voronoi->holds();
   }
   result.time.assemble_s = seconds_since(middle);
   if (angles.wanted) {
@@ -117,6 +150,17 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
   }
   result.stages = engines.stages();
   return result;
+}
+
+}  // namespace
+
+Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
+                                         const AngleOptions& angles) {
+  return compute(solid, options, angles, DiagramKind::kMedial);
+}
+
+Result<MedialResult> compute_voronoi_diagram(const Solid& solid, const MedialOptions& options) {
+  return compute(solid, options, {}, DiagramKind::kVoronoi);
 }
 
 }  // namespace blum

@@ -43,6 +43,28 @@ Json to_json(const FlattenReport& report) {
           {"nearly_flat_edges_left", report.after.nearly_flat}};
 }
 
+const char* criterion_name(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::kStrict:
+      return "strict";
+    case Criterion::kDisks:
+      return "disks";
+    case Criterion::kRelaxed:
+      break;
+  }
+  return "relaxed";
+}
+
+/// Numbers of what was not computed are null.
+Json to_json(const VoronoiCheck& check, const MedialResult& result) {
+  return {{"regions", check.regions},
+          {"pieces_euler", check.decided ? Json(check.pieces_euler) : Json(nullptr)},
+          {"euler", result.undecided.empty() ? Json(check.euler) : Json(nullptr)},
+          {"criterion", criterion_name(result.criterion)},
+          {"margin", result.margin},
+          {"side", "both"}};
+}
+
 /// Reasons that occur, in their order, with the number of cells.
 std::map<UndecidedReason, std::size_t> by_reason(const std::vector<UndecidedCell>& cells) {
   std::map<UndecidedReason, std::size_t> count;
@@ -87,7 +109,7 @@ std::string summary_json(const SummaryInput& input) {
       {"sites", {{"vertices", sites.vertices}, {"edges", sites.edges}, {"faces", sites.faces}}},
       {"solid", {{"betti", r.solid_betti}}},
       {"result",
-       {{"mode", "medial"},
+       {{"mode", r.kind == DiagramKind::kMedial ? "medial" : "voronoi"},
         {"certified", r.certified},
         {"betti", r.certified ? Json(r.betti) : Json(nullptr)},
         {"sheets", r.parts.sheets},
@@ -112,6 +134,7 @@ std::string summary_json(const SummaryInput& input) {
       {"threads", r.threads},
       {"version", input.version},
   };
+  if (r.voronoi) json["voronoi"] = to_json(*r.voronoi, r);
   if (input.flattened != nullptr) json["coplanar"] = to_json(*input.flattened);
   if (r.angles) {
     json["angles"] = {{"boxes", r.angles->boxes},

@@ -34,9 +34,9 @@ struct Scene {
   std::unique_ptr<const InsideOracle> inside;
   Box3 bounds;
 
-  Scene(std::string n, Solid s) : name(std::move(n)) {
+  Scene(std::string n, Solid s, DiagramKind kind = DiagramKind::kMedial) : name(std::move(n)) {
     solid = std::make_unique<const Solid>(std::move(s));
-    geometry = std::make_unique<const SiteGeometry>(*solid);
+    geometry = std::make_unique<const SiteGeometry>(*solid, kind);
     inside = std::make_unique<const InsideOracle>(*solid);
     bounds = {solid->point[0], solid->point[0]};
     for (const Point3& p : solid->point)
@@ -45,7 +45,8 @@ struct Scene {
         bounds.hi[k] = std::max(bounds.hi[k], p[k]);
       }
   }
-  Scene(std::string n, const PolygonMesh& mesh) : Scene(std::move(n), build_solid(mesh).value()) {}
+  Scene(std::string n, const PolygonMesh& mesh, DiagramKind kind = DiagramKind::kMedial)
+      : Scene(std::move(n), build_solid(mesh).value(), kind) {}
 
   [[nodiscard]] double extent() const {
     return std::max(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blum/arrangement/flow.hpp"
+#include "box_edges.hpp"
 #include "cell_surface.hpp"
 
 namespace blum {

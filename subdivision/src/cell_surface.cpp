@@ -1,23 +1,9 @@
 #include "cell_surface.hpp"
 
 #include "blum/kernel/check.hpp"
+#include "box_edges.hpp"
 
 namespace blum {
-
-std::span<const EdgePair> edge_pairs() {
-  static const std::vector<EdgePair> all = [] {
-    const Box3 unit{{0, 0, 0}, {1, 2, 3}};
-    std::vector<EdgePair> pairs;
-    for (int f = 0; f < 6; ++f)
-      for (int s = 0; s < 4; ++s)
-        for (int g = f + 1; g < 6; ++g)
-          for (int t = 0; t < 4; ++t)
-            if (side_segment(box_face(unit, f), s) == side_segment(box_face(unit, g), t))
-              pairs.push_back({{f, g}, {s, t}});
-    return pairs;
-  }();
-  return all;
-}
 
 CellSurface::CellSurface(const SiteGeometry& geometry, const Box3& box,
                          std::span<const std::uint32_t> triangles,

@@ -45,7 +45,6 @@ class CellSurface {
   [[nodiscard]] bool vertices_are_harmless() const;
   /// kAccepted: every component is a ball.
   [[nodiscard]] CellVerdict are_balls();
-  [[nodiscard]] bool shapes_are_simple();
   [[nodiscard]] bool pieces_are_separate();
 
   /// A component of the graph.
@@ -94,11 +93,5 @@ class CellSurface {
   std::vector<std::array<std::uint32_t, 2>> arc_;
   std::vector<Box3> node_box_;  // encloses each node; filled by describe()
 };
-
-/// Which (face, side) pairs share each of the 12 edges of a box: the same for all boxes.
-struct EdgePair {
-  int face[2], side[2];
-};
-[[nodiscard]] std::span<const EdgePair> edge_pairs();
 
 }  // namespace blum

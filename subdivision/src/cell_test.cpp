@@ -5,24 +5,11 @@
 
 #include "blum/arrangement/flow.hpp"
 #include "blum/kernel/check.hpp"
-#include "blum/subdivision/graph_shape.hpp"
+#include "box_edges.hpp"
 #include "cell_surface.hpp"
+#include "graph_parts.hpp"
 
 namespace blum {
-
-bool CellSurface::shapes_are_simple() {
-  std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> arcs_of;
-  for (const auto& a : arc_) arcs_of[graph_.find(a[0])].push_back(a);
-  for (auto& [root, arcs] : arcs_of) {
-    std::map<std::uint32_t, std::uint32_t> local;
-    for (auto& a : arcs)
-      for (auto& n : a)
-        n = local.try_emplace(n, static_cast<std::uint32_t>(local.size())).first->second;
-    if (graph_shape(static_cast<std::uint32_t>(local.size()), arcs) == GraphShape::kOther)
-      return false;
-  }
-  return true;
-}
 
 bool CellSurface::pieces_are_separate() {
   // Theorem A' (docs/proofs.md). The flow takes a piece W of R \ M into one component of the
@@ -133,7 +120,7 @@ CellVerdict CellSurface::are_balls() {
   for (const auto& [t, element] : triangle_) add(element, +1);
   for (const auto& [e, nodes] : edge_) add(triangle_.at(solid_.edge[e].triangle[0]), -1);
   for (const auto v : vertex_) add(triangle_.at(solid_.triangles_at(v).front()), +1);
-  const std::span<const EdgePair> pairs = edge_pairs();
+  const std::vector<EdgePair>& pairs = edge_pairs();
   // Edges of the cell: open stretches inside O, and crossings of ∂O; ends at corners.
   std::map<std::array<double, 3>, std::uint32_t> corner;
   for (const EdgePair& p : pairs) {
@@ -185,7 +172,7 @@ CellAnswer CellSurface::test(bool resolve) {
   if (!whole && !r.curved_cut && !(separate && parted_by_planes(component, r)))
     return verdict(CellVerdict::kGraph);
   if (!separate) return verdict(CellVerdict::kLabel);
-  if (resolve && !shapes_are_simple()) return verdict(CellVerdict::kCluster);
+  if (resolve && !shapes_are_simple(graph_, arc_)) return verdict(CellVerdict::kCluster);
   return verdict(CellVerdict::kAccepted);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blum/arrangement/common_point.hpp"
+#include "blum/subdivision/voronoi_cell_test.hpp"
 #include "meeting.hpp"
 
 namespace blum {
@@ -45,7 +46,9 @@ int longest_axis(const Box3& box) {
 
 }  // namespace
 
-Box3 root_box(const Solid& solid, std::uint64_t seed) {
+Box3 root_box(const SiteGeometry& geometry, const SubdivisionOptions& options) {
+  const Solid& solid = geometry.solid();
+  const std::uint64_t seed = options.seed;
   Box3 b{solid.point.front(), solid.point.front()};
   for (const Point3& p : solid.point)
     for (int k = 0; k < 3; ++k) {
@@ -56,6 +59,12 @@ Box3 root_box(const Solid& solid, std::uint64_t seed) {
   for (int k = 0; k < 3; ++k) size = std::max(size, b.hi[k] - b.lo[k]);
   const Box3 tight = b;
   for (int k = 0; k < 3; ++k) {
+    if (geometry.kind() == DiagramKind::kVoronoi) {
+      const double half = 0.5 * options.margin * (tight.hi[k] - tight.lo[k]);
+      b.lo[k] = tight.lo[k] - half * (1 + 0.1 * jitter(seed, tight.lo[k], size, k, -1));
+      b.hi[k] = tight.hi[k] + half * (1 + 0.1 * jitter(seed, tight.hi[k], size, k, -2));
+      continue;
+    }
     // Random margins of 2 to 6 % put the box itself, and so all its planes, in general position.
     b.lo[k] = tight.lo[k] - size * (0.02 + 0.04 * jitter(seed, tight.lo[k], size, k, -1));
     b.hi[k] = tight.hi[k] + size * (0.02 + 0.04 * jitter(seed, tight.hi[k], size, k, -2));
@@ -64,9 +73,9 @@ Box3 root_box(const Solid& solid, std::uint64_t seed) {
 }
 
 CellOutcome CellWorker::work(Cell& cell) {
-  cell.triangles = triangles_meeting(geometry_, cell.triangles, cell.box);
+  if (medial_) cell.triangles = triangles_meeting(geometry_, cell.triangles, cell.box);
   Leaf leaf;
-  if (cell.triangles.empty() &&
+  if (medial_ && cell.triangles.empty() &&
       work_.engines.inside().locate(cell.box.lo) == InsideOracle::Where::kOutside) {
     leaf.theorem = LeafTheorem::kOutside;
     return leaf;
@@ -114,9 +123,14 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
                                  cell.candidates, cell.triangles);
     };
   CellAnswer a =
-      test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face, oracles, resolve);
+      medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face, oracles,
+                          resolve)
+              : test_voronoi_cell(geometry_, cell.box, cell.candidates, cell.face,
+                                  options_.criterion, resolve);
   stats_.planes_tried += static_cast<std::size_t>(a.planes_tried);
-  leaf.theorem = a.conical ? LeafTheorem::kConical : LeafTheorem::kBoundary;
+  leaf.theorem = !medial_    ? LeafTheorem::kVoronoi
+                 : a.conical ? LeafTheorem::kConical
+                             : LeafTheorem::kBoundary;
   leaf.boundary_vertex = a.vertex;
   leaf.has_axis = a.has_axis;
   leaf.cut = std::move(a.cut);

@@ -56,6 +56,7 @@ class CellWorker {
         geometry_(work.geometry),
         solid_(work.geometry.solid()),
         options_(work.options),
+        medial_(work.geometry.kind() == DiagramKind::kMedial),
         production_(work.engines.production(thread)),
         diagrams_(work.engines.diagrams(thread)) {}
 
@@ -78,13 +79,11 @@ class CellWorker {
   const SiteGeometry& geometry_;
   const Solid& solid_;
   const SubdivisionOptions& options_;
+  const bool medial_;
   ProductionEngine& production_;
   DiagramEngine& diagrams_;
   SubdivisionStats stats_;
   std::unordered_map<std::uint32_t, bool> connected_;  // boundary vertex -> connected_at
 };
-
-/// The box around the solid with which the subdivision begins.
-[[nodiscard]] Box3 root_box(const Solid& solid, std::uint64_t seed);
 
 }  // namespace blum

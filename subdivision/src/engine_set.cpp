@@ -12,18 +12,25 @@ namespace {
 /// The oracle behind the engine interface. It can only be stopped between two diagrams.
 class BruteEngine final : public DiagramEngine {
  public:
-  BruteEngine(const Solid& solid, const std::atomic<bool>& stop) : solid_(solid), stop_(stop) {}
+  BruteEngine(const SiteGeometry& geometry, const std::atomic<bool>& stop)
+      : solid_(geometry.solid()), kind_(geometry.kind()), stop_(stop) {}
   using DiagramEngine::face;
   SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
                         std::span<const std::uint32_t> triangles) override {
     if (stop_) return {FaceStatus::kUndecided, kStopped, nullptr};
-    auto d = brute_segment(solid_, segment, candidates, triangles);
+    auto d = brute_segment(solid_, segment, candidates, triangles,
+                           kind_ == DiagramKind::kVoronoi, kind_);
     if (!d) return {FaceStatus::kBadPosition, "segment in bad position", nullptr};
     return {FaceStatus::kDecided, "", std::make_shared<const SegmentDiagram>(std::move(*d))};
   }
   FaceDiagram face(const FaceProblem& problem,
                    const std::array<std::shared_ptr<const SegmentDiagram>, 4>&) override {
-    if (!stop_) return brute_face(problem);
+    if (!stop_) {
+      FaceProblem asked = problem;
+      asked.kind = kind_;
+      asked.interior = asked.interior || kind_ == DiagramKind::kVoronoi;
+      return brute_face(asked);
+    }
     FaceDiagram none;
     none.status = FaceStatus::kUndecided;
     none.reason = kStopped;
@@ -34,6 +41,7 @@ class BruteEngine final : public DiagramEngine {
  private:
   static constexpr const char* kStopped = "stopped";
   const Solid& solid_;
+  const DiagramKind kind_;
   const std::atomic<bool>& stop_;
 };
 
@@ -46,7 +54,7 @@ EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& opt
     production_.emplace_back(geometry, inside_, options.seed, options.resolve);
     production_.back().stop_on(&watch_.flag());
     if (options.engine == Engine::kBrute)
-      chosen_.push_back(std::make_unique<BruteEngine>(geometry.solid(), watch_.flag()));
+      chosen_.push_back(std::make_unique<BruteEngine>(geometry, watch_.flag()));
     if (options.engine == Engine::kCgal) {
       const auto helper = find_cgal_helper();
       BLUM_CHECK(helper);

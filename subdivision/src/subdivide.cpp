@@ -71,14 +71,15 @@ class Subdivider {
 void Subdivider::add_root() {
   const Solid& solid = work_.geometry.solid();
   Cell cell;
-  cell.box = root_box(solid, work_.options.seed);
+  cell.box = root_box(work_.geometry, work_.options);
   work_.root_diameter = 0;
   for (int k = 0; k < 3; ++k)
     work_.root_diameter = std::max(work_.root_diameter, cell.box.hi[k] - cell.box.lo[k]);
   root_volume_ = volume(cell.box);
   const auto all = work_.geometry.candidates();
   cell.candidates.assign(all.begin(), all.end());
-  cell.triangles.resize(solid.triangle.size());
+  // In a Voronoi diagram the boundary is no border.
+  if (work_.geometry.kind() == DiagramKind::kMedial) cell.triangles.resize(solid.triangle.size());
   for (std::uint32_t t = 0; t < cell.triangles.size(); ++t) cell.triangles[t] = t;
   CellNode root;
   root.box = cell.box;

@@ -14,7 +14,8 @@ namespace blum {
                                                           const Segment& segment,
                                                           std::span<const SiteId> candidates,
                                                           std::span<const std::uint32_t> triangles,
-                                                          bool interior = false);
+                                                          bool interior = false,
+                                                          DiagramKind kind = DiagramKind::kMedial);
 
 /// The exact diagram. Every event is exact (FaceNode::exact), with all its governors, in a
 /// certified rectangle; four and more governors, tangencies, common components, arcs along domain

@@ -1,4 +1,5 @@
-/// The problem an arrangement engine solves: the medial diagram on an axis-parallel rectangle.
+/// The problem an arrangement engine solves: the medial or Voronoi diagram on an axis-parallel
+/// rectangle.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +8,14 @@
 
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/site.hpp"
+#include "blum/kernel/site_geometry.hpp"
 #include "blum/kernel/solid.hpp"
 
 namespace blum {
 
-/// The part of the medial diagram that lies on `rect`, inside the solid O.
+/// The part of the medial diagram that lies on `rect`, inside the solid O; or the part of the Voronoi
+/// diagram on `rect`: there all space counts as inside, ∂O is no border, and the flag `interior` is
+/// to be set.
 ///
 /// Candidates: a superset of the governors of every point of rect ∩ O. Triangles: a superset of
 /// the boundary triangles that meet `rect`. Both sorted, without repetition.
@@ -21,6 +25,7 @@ struct FaceProblem {
   std::span<const SiteId> candidates;
   std::span<const std::uint32_t> triangles;
   bool interior = false;  ///< the rectangle is known to lie in O (then `triangles` is empty)
+  DiagramKind kind = DiagramKind::kMedial;  ///< production engines go by their geometry's
 };
 
 }  // namespace blum

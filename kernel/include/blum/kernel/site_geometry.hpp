@@ -1,4 +1,4 @@
-/// Per-site data for filters and box bounds: carriers, domains, candidates of the medial axis.
+/// Per-site data for filters and box bounds: carriers, domains, candidates of a diagram.
 #pragma once
 
 #include <cstdint>
@@ -26,21 +26,31 @@ struct HalfSpace {
   BallVector w;  ///< of length 1
 };
 
+/// Which diagram of a solid's sites.
+enum class DiagramKind : std::uint8_t {
+  kMedial,   ///< inside the solid; ties between sites whose feet are equal do not count
+  kVoronoi,  ///< in all of space, faces two-sided; every tie between two sites counts
+};
+
 /// Geometry of all sites of a solid. Immutable; holds a pointer to the solid.
 class SiteGeometry {
  public:
-  explicit SiteGeometry(const Solid& solid);
+  explicit SiteGeometry(const Solid& solid, DiagramKind kind = DiagramKind::kMedial);
+
+  [[nodiscard]] DiagramKind kind() const { return kind_; }
 
   [[nodiscard]] const Solid& solid() const { return *solid_; }
   [[nodiscard]] const SiteIndex& index() const { return index_; }
 
-  /// Sites that can govern points inside the solid: all faces, reflex edges, and vertices with a
-  /// reflex edge whose polar cone has an interior. (A ball inside the solid cannot touch its
-  /// boundary on a convex edge, nor at a vertex without reflex edges.) Sorted.
+  /// Sites that can govern points of the diagram's domain, sorted. Medial: all faces, reflex edges,
+  /// and vertices with a reflex edge whose polar cone has an interior. (A ball inside the solid
+  /// cannot touch its boundary on a convex edge, nor at a vertex without reflex edges.) Voronoi:
+  /// all sites that are not degenerate (count_sites).
   [[nodiscard]] std::span<const SiteId> candidates() const { return candidates_; }
 
   /// The closed domain of a candidate, as half-spaces: points outside it are not governed by it.
-  /// Faces: prism and inner side; edges: slab and both in-face directions; vertices: polar cone.
+  /// Faces: prism and, medial, inner side; edges: slab and both in-face directions; vertices: polar
+  /// cone.
   [[nodiscard]] std::span<const HalfSpace> domain(SiteId s) const {
     return std::span(half_).subspan(half_begin_[s.value],
                                     half_begin_[s.value + 1] - half_begin_[s.value]);
@@ -59,6 +69,7 @@ class SiteGeometry {
 
  private:
   const Solid* solid_;
+  DiagramKind kind_;
   SiteIndex index_;
   std::vector<SiteId> candidates_;
   std::vector<HalfSpace> half_;

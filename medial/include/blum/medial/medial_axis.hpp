@@ -1,4 +1,4 @@
-/// From a solid to its certified homotopy-preserving medial axis, in one call.
+/// From a solid to its certified homotopy-preserving medial axis or Voronoi diagram, in one call.
 #pragma once
 
 #include <array>
@@ -29,7 +29,20 @@ struct PhaseTimes {
   double subdivide_s = 0, assemble_s = 0, angles_s = 0;
 };
 
+/// The check of a Voronoi diagram VD in its box B (docs/proofs.md, "Euler's formula in the box"):
+/// euler = 1 + regions - pieces_euler. The three are computed independently.
+struct VoronoiCheck {
+  std::size_t regions = 0;  ///< sites: each has one region in the box
+  long pieces_euler = 0;    ///< sum of the Euler characteristics of the regions' pieces on its sides
+  long euler = 0;           ///< of the complex
+  bool decided = false;     ///< the diagrams on the sides of the box are
+  [[nodiscard]] bool holds() const {
+    return decided && euler == 1 + static_cast<long>(regions) - pieces_euler;
+  }
+};
+
 struct MedialResult {
+  DiagramKind kind = DiagramKind::kMedial;
   bool certified = false;
   CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
@@ -37,6 +50,9 @@ struct MedialResult {
   std::optional<Filtration> filtration;
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
+  std::optional<VoronoiCheck> voronoi;  ///< if the Voronoi diagram was asked for
+  Criterion criterion = Criterion::kRelaxed;  ///< Voronoi
+  double margin = 0;                          ///< Voronoi
   std::size_t leaves = 0;
   /// Of them accepted thanks to planes (Theorem E); planes tried for them and for others.
   std::size_t leaves_cut = 0, planes_tried = 0;
@@ -59,5 +75,12 @@ struct MedialResult {
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options,
                                                        const AngleOptions& angles = {});
+
+/// The same for the Voronoi diagram of all sites that are not degenerate, in a box around the solid
+/// (root_box), inside and outside. Certified only if VoronoiCheck holds too. `on_axis` and
+/// `hausdorff_bound` are about the Voronoi diagram in the box. Requires options.margin > 0
+/// (kBadArgument).
+[[nodiscard]] Result<MedialResult> compute_voronoi_diagram(const Solid& solid,
+                                                           const MedialOptions& options);
 
 }  // namespace blum

@@ -22,6 +22,9 @@ enum class CellVerdict : std::uint8_t {
   kLabel,        ///< condition (2): a site governs two components of the complement
   kCluster,      ///< resolving: the shape is no sheet, seam or junction
   kFace,         ///< a face diagram could not be decided
+  kHidden,       ///< Voronoi: a site within the cell whose region does not show on its surface
+  kGovernor,     ///< Voronoi, strict: the boundary cell criterion fails
+  kCount,        ///< how many there are
 };
 
 /// Faces of a box in the order x low, x high, y low, y high, z low, z high.

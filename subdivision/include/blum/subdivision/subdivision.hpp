@@ -1,5 +1,5 @@
-/// Subdivision of a box around a solid into leaf cells whose part of the medial axis is certified
-/// to be contractible component by component (theory section 3, Theorems A, B, C).
+/// Subdivision of a box around a solid into leaf cells whose part of the medial axis, or of the
+/// Voronoi diagram, is certified to be contractible component by component (theory section 3).
 #pragma once
 
 #include <array>
@@ -21,6 +21,13 @@ namespace blum {
 /// kCgal: needs the helper of cgal_engine.hpp.
 enum class Engine : std::uint8_t { kProduction, kBrute, kCgal };
 
+/// When a cell of a Voronoi diagram is accepted (docs/proofs.md, "Voronoi mode").
+enum class Criterion : std::uint8_t {
+  kStrict,   ///< the thesis' homotopy and boundary cell criteria (sections 5.4.1, 5.4.2)
+  kDisks,    ///< each region that shows on the surface is one disk there, none is hidden
+  kRelaxed,  ///< the same, and what the flow towards the boundary proves beyond
+};
+
 struct Progress {
   std::size_t leaves = 0;      ///< accepted so far
   double volume_fraction = 0;  ///< of the box, accepted so far
@@ -30,6 +37,8 @@ struct SubdivisionOptions {
   std::uint64_t seed = 1;
   Engine engine = Engine::kProduction;
   bool cuts = true;      ///< try planes that miss the axis before a cell is subdivided (Theorem E)
+  Criterion criterion = Criterion::kRelaxed;  ///< Voronoi only
+  double margin = 0.1;   ///< Voronoi: how much larger than the solid's the box is, as a fraction
   bool resolve = false;  ///< refine until no avoidable cluster node is left
   /// Leaves that meet the axis are refined until their diameter is at most this (model units);
   /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
@@ -62,6 +71,7 @@ enum class LeafTheorem : std::uint8_t {
   kOutside,   ///< the cell does not meet the solid
   kConical,   ///< Theorem B about `boundary_vertex`
   kBoundary,  ///< Theorem C; Theorem A where the cell lies in the solid
+  kVoronoi,   ///< Theorem V, by the criterion that was asked for
   kUndecided,
 };
 
@@ -87,7 +97,7 @@ struct Leaf {
   std::vector<CutPlane> cut;
   std::vector<SiteId> candidates;        ///< superset of the governors in leaf ∩ O
   std::vector<std::uint32_t> triangles;  ///< superset of the boundary triangles that meet it
-  /// Diagrams of its faces (box_face), for kConical and kBoundary.
+  /// Diagrams of its faces (box_face), for kConical, kBoundary and kVoronoi.
   std::array<std::shared_ptr<const FaceDiagram>, 6> face;
 };
 
@@ -96,7 +106,7 @@ struct SubdivisionStats {
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
   std::size_t planes_tried = 0, leaves_cut = 0;  ///< see Leaf::cut
   int max_depth = 0;
-  std::array<std::size_t, 8> rejected{};  ///< tested cells by CellVerdict
+  std::array<std::size_t, 10> rejected{};  ///< tested cells by CellVerdict
 };
 
 /// Nodes and leaves are numbered depth first, the low child before the high one.
@@ -105,6 +115,11 @@ struct Subdivision {
   std::vector<Leaf> leaf;
   SubdivisionStats stats;
 };
+
+/// The box around the solid with which the subdivision begins, in the working frame: in general
+/// position by random margins. Medial: 2 to 6 % of the largest extent on each side. Voronoi: the
+/// bounding box times 1 + margin about its centre, grown by at most a tenth of the margin more.
+[[nodiscard]] Box3 root_box(const SiteGeometry& geometry, const SubdivisionOptions& options);
 
 class EngineSet;
 

@@ -1,0 +1,226 @@
+// Parts of a Voronoi diagram on a face where the boundary itself, or a line on which feet merge in a
+// vertex, crosses the plane: squared distances have no slope there.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "face_engine.hpp"
+#include "polar_cone.hpp"
+#include "vertex_cone.hpp"
+
+namespace blum {
+
+bool FaceEngine::each_shows_once(const Border& border) {
+  if (!wholly_inside(border)) return false;
+  const Circle& circle = border.circle[0];
+  const std::size_t n = circle.size();
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (circle[i].kind == Step::Kind::kTie) start = i;
+  std::vector<SiteId> shown;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (s.kind == Step::Kind::kTie) continue;
+    const bool fresh = k == 0 || circle[(start + k - 1) % n].kind == Step::Kind::kTie;
+    if (!fresh) continue;
+    if (std::ranges::find(shown, s.label) != shown.end()) return false;
+    shown.push_back(s.label);
+  }
+  return true;
+}
+
+bool FaceEngine::edge_and_its_faces(std::span<const LocalForm> forms, const Range& range) const {
+  if (forms.size() > 3) return false;
+  const SiteGeometry& geometry = context_.geometry;
+  const SiteIndex& index = geometry.index();
+  const auto edge =
+      std::ranges::find_if(forms, [](const LocalForm& f) { return f.kind == SiteKind::kEdge; });
+  if (edge == forms.end()) return false;
+  const auto e = index.element(edge->site);
+  const auto& faces = geometry.solid().edge[e].triangle;
+  for (const LocalForm& f : forms)
+    if (f.site != edge->site && f.site != index.face(faces[0]) && f.site != index.face(faces[1]))
+      return false;
+  // All feet on the line of the edge and beside it lie in the sites.
+  const auto holds = [&](SiteId s, std::size_t k) {
+    return holds_everywhere(geometry, geometry.domain(s)[k], range);
+  };
+  if (!holds(edge->site, 0) || !holds(edge->site, 1)) return false;
+  for (const auto t : faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (geometry.solid().triangle[t].edge[k] != e && !holds(index.face(t), k)) return false;
+  return true;
+}
+
+bool FaceEngine::ties_are_straight(std::span<const LocalForm> forms, const Range& range) {
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    for (std::size_t j = i + 1; j < forms.size(); ++j) {
+      const LocalForm &a = forms[i], &b = forms[j];
+      if (a.side != 0 && b.side != 0) continue;
+      if (context_.touch(a.site, b.site).kind == Touch::Kind::kPlane) continue;
+      if (may_tie(context_, a, b, range)) return false;
+    }
+  return true;
+}
+
+bool FaceEngine::accept_convex(const Box& box, std::span<const LocalForm> forms,
+                               const Border& border) {
+  if (forms.size() > kMaxGroups || !wholly_inside(border)) return false;
+  const Circle& circle = border.circle[0];
+  for (const LocalForm& f : forms)
+    if (std::ranges::none_of(circle, [&](const Step& s) {
+          return s.kind == Step::Kind::kInterval && s.label == f.site;
+        }))
+      return false;
+  const Range range = range_of(box);
+  return (edge_and_its_faces(forms, range) || ties_are_straight(forms, range)) &&
+         record_forest(circle, box);
+}
+
+bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
+  struct Run {
+    std::uint32_t tie = 0;  // the node before it
+    SiteId label;
+    std::vector<std::uint32_t> elements;
+  };
+  const std::size_t n = circle.size();
+  std::size_t start = n;
+  for (std::size_t i = 0; i < n && start == n; ++i)
+    if (circle[i].kind == Step::Kind::kTie) start = i;
+  if (start == n) return false;
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (s.kind == Step::Kind::kTie) {
+      runs.push_back({s.id, {}, {}});
+    } else {
+      runs.back().label = s.label;
+      runs.back().elements.push_back(s.id);
+    }
+  }
+  // A region's border goes from the tie after one of its runs to the tie before the next.
+  const auto count = static_cast<std::uint32_t>(runs.size());
+  std::map<SiteId, std::vector<std::uint32_t>> runs_of;
+  for (std::uint32_t k = 0; k < count; ++k) runs_of[runs[k].label].push_back(k);
+  UnionFind tree;
+  tree.resize(count);
+  for (const auto& [label, own] : runs_of)
+    for (std::size_t i = 0; i < own.size(); ++i)
+      tree.unite((own[i] + 1) % count, own[(i + 1) % own.size()]);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> ties_of_tree;
+  for (std::uint32_t k = 0; k < count; ++k) ties_of_tree[tree.find(k)].push_back(k);
+  std::size_t regions = 1;
+  for (const auto& [root, ties] : ties_of_tree) {
+    if (ties.size() < 2) return false;
+    if (ties.size() > 3 && context_.part_clusters &&
+        range_of(box).radius() > ProductionEngine::kSmallestCluster)
+      return false;
+    regions += ties.size() - 1;
+  }
+  if (regions != runs_of.size()) return false;
+
+  const auto whole = runs[0].elements[0];
+  for (const auto& [label, own] : runs_of) {
+    const auto first = runs[own[0]].elements[0];
+    label_element(first, std::array{label});
+    for (const auto k : own)
+      for (const auto e : runs[k].elements) {
+        region_.unite(first, e);
+        component_.unite(whole, e);
+      }
+  }
+  for (const auto& [root, ties] : ties_of_tree) {
+    const auto beside = [&](std::uint32_t k) {
+      return std::array{runs[(k + count - 1) % count].elements[0], runs[k].elements[0]};
+    };
+    const auto governors = [&](std::uint32_t k) {
+      const auto& g = nodes_[runs[k].tie].node.governors;
+      return std::array{g.front(), g.back()};
+    };
+    for (const auto k : ties) nodes_[runs[k].tie].element = whole;
+    if (ties.size() == 2) {
+      const auto g = governors(ties[0]);
+      add_arc(runs[ties[0]].tie, runs[ties[1]].tie, g[0], g[1], beside(ties[0]));
+      continue;
+    }
+    const auto center = new_node(FaceNode::Kind::kEvent, box);
+    nodes_[center].element = whole;
+    std::vector<SiteId> all;
+    for (const auto k : ties) {
+      const auto g = governors(k);
+      add_arc(center, runs[k].tie, g[0], g[1], beside(k));
+      all.insert(all.end(), g.begin(), g.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    nodes_[center].node.governors = std::move(all);
+    nodes_[center].node.exact = ties.size() == 3;
+    context_.counts.clusters += ties.size() > 3;
+  }
+  return true;
+}
+
+bool FaceEngine::accept_vertex_link(const Box& box, std::span<const LocalForm> forms,
+                                    const Groups& sites, const Border& border) {
+  if (!each_shows_once(border)) return false;
+  const SiteGeometry& geometry = context_.geometry;
+  const SiteIndex& index = geometry.index();
+  const Solid& solid = geometry.solid();
+  const Rect& r = problem_.rect;
+  const auto v = common_vertex(geometry, forms);
+  if (!v || solid.point[*v][r.axis] == r.level) return false;
+  const Range range = range_of(box);
+  if (!feet_stay_at(geometry, *v, range)) return false;
+
+  // A region that does not show might lie within the part, but then its site's cone would too.
+  const auto shows = [&](SiteId s) {
+    return std::ranges::any_of(border.circle[0], [s](const Step& step) {
+      return step.kind == Step::Kind::kInterval && step.label == s;
+    });
+  };
+  const auto misses = [&](const LocalForm& f) {
+    switch (f.kind) {
+      case SiteKind::kFace:
+        return f.side != 0;
+      case SiteKind::kVertex:
+        return !meets_polar_cone(solid, *v, point_on(r.axis, r.level, box.u0, box.v0),
+                                 point_on(r.axis, r.level, box.u1, box.v1));
+      case SiteKind::kEdge:
+        break;
+    }
+    const auto& ends = solid.edge[index.element(f.site)].vertex;
+    const Point3 &o = solid.point[*v], &tip = solid.point[ends[0] == *v ? ends[1] : ends[0]];
+    const Ball rise = Ball(tip[r.axis]) - Ball(o[r.axis]), gap = Ball(r.level) - Ball(o[r.axis]);
+    if (rise.sign() == 0) return true;
+    if (rise.sign() == 2) return false;
+    const Ball s = divide(gap, rise);
+    if (s.high() < 0) return true;
+    const auto beyond = [&](int axis, double lo, double hi) {
+      const Ball x = Ball(o[axis]) + s * (Ball(tip[axis]) - Ball(o[axis]));
+      return x.low() > hi || x.high() < lo;
+    };
+    return beyond(u_, box.u0, box.u1) || beyond(v_, box.v0, box.v1);
+  };
+  for (const LocalForm& f : forms)
+    if (!shows(f.site) && !misses(f)) return false;
+  record(border.circle[0], forms, sites, box, ties_of(border.circle[0]));
+  return true;
+}
+
+Trouble FaceEngine::find_corners_in_plane() const {
+  const SiteGeometry& geometry = context_.geometry;
+  const Rect& r = problem_.rect;
+  for (const SiteId s : problem_.candidates) {
+    int n = 0;
+    const auto corner = geometry.corners(s, n);
+    for (int k = 0; k < n; ++k) {
+      const Point3& p = geometry.solid().point[corner[k]];
+      if (p[r.axis] == r.level && p[u_] >= r.u0 && p[u_] <= r.u1 && p[v_] >= r.v0 &&
+          p[v_] <= r.v1)
+        return {FaceStatus::kBadPosition, "boundary vertex in the plane of a face"};
+    }
+  }
+  return {};
+}
+
+}  // namespace blum
