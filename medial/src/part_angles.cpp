@@ -11,7 +11,7 @@
 
 #include "angle_witness.hpp"
 #include "blum/kernel/check.hpp"
-#include "blum/subdivision/parallel.hpp"
+#include "blum/kernel/parallel.hpp"
 
 namespace blum {
 namespace {
