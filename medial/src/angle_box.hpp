@@ -16,6 +16,7 @@ namespace blum {
 struct AngleRole {
   enum class Kind : std::uint8_t { kArc, kSeam, kRest } kind = Kind::kArc;
   GroupSet a = 0, b = 0;  ///< kArc: the two sides; kSeam: a, the groups around the node
+  bool distinct = true;   ///< kSeam: points of it have feet in three groups
 };
 
 /// A closed box (flat or not) in a leaf, with a superset of the sites that govern points of it.

@@ -191,6 +191,7 @@ struct LeafReader {
       for (const int end : {1, 2}) {
         const auto spoke = complex.triangle[t].edge[static_cast<std::size_t>(end)];
         if (parts.edge_seam[spoke] == Parts::kNoSeam) continue;
+        ++around[spoke].arcs;
         for (const SiteId s : complex.triangle[t].governors) {
           const GroupSet g = leaf.groups.of(s);
           around[spoke].groups |= g;
@@ -200,7 +201,8 @@ struct LeafReader {
     for (auto& [spoke, entry] : around) {
       entry.seam = parts.edge_seam[spoke];
       const bool known = std::any_of(leaf.seam.begin(), leaf.seam.end(), [&](const auto& s) {
-        return s.seam == entry.seam && s.groups == entry.groups && s.certain == entry.certain;
+        return s.seam == entry.seam && s.groups == entry.groups && s.certain == entry.certain &&
+               s.arcs == entry.arcs;
       });
       if (!known) leaf.seam.push_back(entry);
     }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -55,6 +56,11 @@ struct LeafParts {
     GroupSet groups = 0;   ///< that may be around a node of three or more arcs
     GroupSet certain = 0;  ///< of these, those that are
     std::uint32_t seam = 0;
+    std::uint32_t arcs = 0;  ///< at the node
+    /// All its sides are different groups: a point of the seam has feet in three at least.
+    [[nodiscard]] bool distinct() const {
+      return groups == certain && static_cast<std::uint32_t>(std::popcount(groups)) == arcs;
+    }
   };
   std::vector<Arc> arc;
   std::vector<Seam> seam;

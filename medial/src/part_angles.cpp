@@ -279,7 +279,7 @@ Plan plan_of(const Solid& solid, const std::vector<LeafParts>& leaves, const Cel
     for (const auto& a : leaf.arc)
       plan.tasks[a.sheet].push_back({l, {AngleRole::Kind::kArc, a.a, a.b}});
     for (const auto& s : leaf.seam)
-      plan.tasks[number.seam(s.seam)].push_back({l, {AngleRole::Kind::kSeam, s.groups, 0}});
+      plan.tasks[number.seam(s.seam)].push_back({l, {AngleRole::Kind::kSeam, s.groups, 0, s.distinct()}});
     for (const auto p : leaf.rest) plan.tasks[p].push_back({l, {AngleRole::Kind::kRest, 0, 0}});
   }
   const auto to_working = [&](const Point3& p) {
