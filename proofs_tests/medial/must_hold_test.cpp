@@ -198,7 +198,9 @@ INSTANTIATE_TEST_SUITE_P(SweepMore, RoundedFacets, testing::ValuesIn(more_solids
 INSTANTIATE_TEST_SUITE_P(DISABLED_SweepPlates, RoundedFacets, testing::ValuesIn(plates()),
                          entry_name);
 
-// 103 to 149 cells undecided by time; no triangle is narrower than 1/128 of its length.
+// Over a hundred cells reach the depth limit at one point 0.0046 above vertex 134, on the ray of
+// points whose foot it is: a fan of 12 faces there is planar to 1e-16, with 5 slightly reflex
+// edges.
 TEST(DISABLED_SweepJoint, Turned_IsCertified) {
   std::vector<Change> turns;
   for (std::uint64_t k = 1; k <= 5; ++k) turns.push_back(test::turned(k));
