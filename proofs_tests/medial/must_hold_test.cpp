@@ -194,11 +194,13 @@ TEST_P(RoundedFacets, Turned_IsCertified) {
 
 INSTANTIATE_TEST_SUITE_P(SweepFirst, RoundedFacets, testing::ValuesIn(first_solids()), entry_name);
 INSTANTIATE_TEST_SUITE_P(SweepMore, RoundedFacets, testing::ValuesIn(more_solids()), entry_name);
-// Two holes and more: cells stay undecided beside the slivers (fixtures/sliver_*.off).
+// Two holes and more: cells stay undecided beside the slivers (fixtures/sliver_riser.off).
 INSTANTIATE_TEST_SUITE_P(DISABLED_SweepPlates, RoundedFacets, testing::ValuesIn(plates()),
                          entry_name);
 
-// 103 to 149 cells undecided after ten minutes on a busy machine: it has slivers too.
+// Over a hundred cells reach the depth limit at one point 0.0046 above vertex 134, on the ray of
+// points whose foot it is: a fan of 12 faces there is planar to 1e-14, with 5 slightly reflex
+// edges.
 TEST(DISABLED_SweepJoint, Turned_IsCertified) {
   std::vector<Change> turns;
   for (std::uint64_t k = 1; k <= 5; ++k) turns.push_back(test::turned(k));
