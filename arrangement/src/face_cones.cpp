@@ -52,12 +52,29 @@ bool FaceEngine::edge_and_its_faces(std::span<const LocalForm> forms, const Rang
   return true;
 }
 
+bool FaceEngine::reaches(SiteId face, SiteId other, const Range& range) const {
+  const SiteGeometry& geometry = context_.geometry;
+  const auto t = geometry.index().element(face);
+  const auto& edges = geometry.solid().triangle[geometry.index().element(other)].edge;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::ranges::find(edges, geometry.solid().triangle[t].edge[k]) == edges.end() &&
+        !holds_everywhere(geometry, geometry.domain(face)[k], range))
+      return false;
+  return true;
+}
+
 bool FaceEngine::ties_are_straight(std::span<const LocalForm> forms, const Range& range) {
   for (std::size_t i = 0; i < forms.size(); ++i)
     for (std::size_t j = i + 1; j < forms.size(); ++j) {
       const LocalForm &a = forms[i], &b = forms[j];
-      if (a.side != 0 && b.side != 0) continue;
-      if (context_.touch(a.site, b.site).kind == Touch::Kind::kPlane) continue;
+      // Where the projection on a carrier lies in the site, the carrier's distance is not less than
+      // d: then a line parts the two regions wholly.
+      if (a.side != 0 && b.side != 0 && a.covers && b.covers) continue;
+      const Touch& t = context_.touch(a.site, b.site);
+      if (t.kind == Touch::Kind::kPlane) continue;
+      if (t.kind == Touch::Kind::kBisector && reaches(a.site, b.site, range) &&
+          reaches(b.site, a.site, range))
+        continue;
       if (may_tie(context_, a, b, range)) return false;
     }
   return true;
