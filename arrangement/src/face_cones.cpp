@@ -84,14 +84,15 @@ bool FaceEngine::accept_convex(const Box& box, std::span<const LocalForm> forms,
                                const Border& border) {
   if (forms.size() > kMaxGroups || !wholly_inside(border)) return false;
   const Circle& circle = border.circle[0];
-  for (const LocalForm& f : forms)
-    if (std::ranges::none_of(circle, [&](const Step& s) {
-          return s.kind == Step::Kind::kInterval && s.label == f.site;
-        }))
-      return false;
   const Range range = range_of(box);
-  return (edge_and_its_faces(forms, range) || ties_are_straight(forms, range)) &&
-         record_forest(circle, box);
+  // The sectors at an edge are unbounded: one that does not show on the border is not in the part.
+  if (edge_and_its_faces(forms, range)) return record_forest(circle, box);
+  const bool all_show = std::ranges::all_of(forms, [&](const LocalForm& f) {
+    return std::ranges::any_of(circle, [&](const Step& s) {
+      return s.kind == Step::Kind::kInterval && s.label == f.site;
+    });
+  });
+  return all_show && ties_are_straight(forms, range) && record_forest(circle, box);
 }
 
 bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
@@ -104,8 +105,16 @@ bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
   std::size_t start = n;
   for (std::size_t i = 0; i < n && start == n; ++i)
     if (circle[i].kind == Step::Kind::kTie) start = i;
-  if (start == n) return false;
+  if (start == n) start = 0;  // one region
   std::vector<Run> runs;
+  if (circle[start].kind != Step::Kind::kTie) {
+    for (const Step& s : circle) {
+      label_element(s.id, std::array{s.label});
+      region_.unite(circle[0].id, s.id);
+      component_.unite(circle[0].id, s.id);
+    }
+    return true;
+  }
   for (std::size_t k = 0; k < n; ++k) {
     const Step& s = circle[(start + k) % n];
     if (s.kind == Step::Kind::kTie) {
