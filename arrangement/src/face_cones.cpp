@@ -52,12 +52,29 @@ bool FaceEngine::edge_and_its_faces(std::span<const LocalForm> forms, const Rang
   return true;
 }
 
+bool FaceEngine::reaches(SiteId face, SiteId other, const Range& range) const {
+  const SiteGeometry& geometry = context_.geometry;
+  const auto t = geometry.index().element(face);
+  const auto& edges = geometry.solid().triangle[geometry.index().element(other)].edge;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::ranges::find(edges, geometry.solid().triangle[t].edge[k]) == edges.end() &&
+        !holds_everywhere(geometry, geometry.domain(face)[k], range))
+      return false;
+  return true;
+}
+
 bool FaceEngine::ties_are_straight(std::span<const LocalForm> forms, const Range& range) {
   for (std::size_t i = 0; i < forms.size(); ++i)
     for (std::size_t j = i + 1; j < forms.size(); ++j) {
       const LocalForm &a = forms[i], &b = forms[j];
-      if (a.side != 0 && b.side != 0) continue;
-      if (context_.touch(a.site, b.site).kind == Touch::Kind::kPlane) continue;
+      // Where the projection on a carrier lies in the site, the carrier's distance is not less than
+      // d: then a line parts the two regions wholly.
+      if (a.side != 0 && b.side != 0 && a.covers && b.covers) continue;
+      const Touch& t = context_.touch(a.site, b.site);
+      if (t.kind == Touch::Kind::kPlane) continue;
+      if (t.kind == Touch::Kind::kBisector && reaches(a.site, b.site, range) &&
+          reaches(b.site, a.site, range))
+        continue;
       if (may_tie(context_, a, b, range)) return false;
     }
   return true;
@@ -67,14 +84,15 @@ bool FaceEngine::accept_convex(const Box& box, std::span<const LocalForm> forms,
                                const Border& border) {
   if (forms.size() > kMaxGroups || !wholly_inside(border)) return false;
   const Circle& circle = border.circle[0];
-  for (const LocalForm& f : forms)
-    if (std::ranges::none_of(circle, [&](const Step& s) {
-          return s.kind == Step::Kind::kInterval && s.label == f.site;
-        }))
-      return false;
   const Range range = range_of(box);
-  return (edge_and_its_faces(forms, range) || ties_are_straight(forms, range)) &&
-         record_forest(circle, box);
+  // The sectors at an edge are unbounded: one that does not show on the border is not in the part.
+  if (edge_and_its_faces(forms, range)) return record_forest(circle, box);
+  const bool all_show = std::ranges::all_of(forms, [&](const LocalForm& f) {
+    return std::ranges::any_of(circle, [&](const Step& s) {
+      return s.kind == Step::Kind::kInterval && s.label == f.site;
+    });
+  });
+  return all_show && ties_are_straight(forms, range) && record_forest(circle, box);
 }
 
 bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
@@ -87,8 +105,16 @@ bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
   std::size_t start = n;
   for (std::size_t i = 0; i < n && start == n; ++i)
     if (circle[i].kind == Step::Kind::kTie) start = i;
-  if (start == n) return false;
+  if (start == n) start = 0;  // one region
   std::vector<Run> runs;
+  if (circle[start].kind != Step::Kind::kTie) {
+    for (const Step& s : circle) {
+      label_element(s.id, std::array{s.label});
+      region_.unite(circle[0].id, s.id);
+      component_.unite(circle[0].id, s.id);
+    }
+    return true;
+  }
   for (std::size_t k = 0; k < n; ++k) {
     const Step& s = circle[(start + k) % n];
     if (s.kind == Step::Kind::kTie) {

@@ -90,6 +90,8 @@ class FaceEngine {
   [[nodiscard]] bool accept_convex(const Box& box, std::span<const LocalForm> forms,
                                    const Border& border);
   [[nodiscard]] bool ties_are_straight(std::span<const LocalForm> forms, const Range& range);
+  /// Do all points of the range project into the face, or beyond the edge it shares with `other`?
+  [[nodiscard]] bool reaches(SiteId face, SiteId other, const Range& range) const;
   [[nodiscard]] bool edge_and_its_faces(std::span<const LocalForm> forms, const Range& range) const;
   /// Records a part whose regions are connected and all show on the border, perhaps several times:
   /// then the graph is a forest. False, and nothing recorded, if the border contradicts that.

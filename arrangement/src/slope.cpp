@@ -10,7 +10,11 @@ namespace blum {
 PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b) {
   PairSlope r;
   if (context.voronoi()) {
-    if (const Touch& t = context.touch(a.site, b.site); t.kind == Touch::Kind::kPlane) {
+    const Touch& t = context.touch(a.site, b.site);
+    // Of a wedge as sharp as that, the difference of the normals tells more.
+    constexpr double kSharp = 1e-6;
+    if (t.kind == Touch::Kind::kPlane ||
+        (t.kind == Touch::Kind::kBisector && dot(t.w, t.w).low() > kSharp)) {
       r.gradient = t.w;
       r.constant = true;
       return r;
@@ -72,10 +76,11 @@ bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, con
   if (context.voronoi()) {
     const Touch& t = context.touch(a.site, b.site);
     if (t.kind == Touch::Kind::kNever) return false;
-    if (t.kind == Touch::Kind::kPlane) {
+    if (t.kind != Touch::Kind::kOrdinary) {
       const Ball h = dot(t.w, difference(range.center, context.geometry.solid().point[t.base]));
       const double s = spread(t.w, range);
-      return h.low() <= s && h.high() >= -s;
+      if (!(h.low() <= s && h.high() >= -s)) return false;
+      if (t.kind == Touch::Kind::kPlane) return true;
     }
   }
   // Distances of faces that both govern are their heights times the same sign.
