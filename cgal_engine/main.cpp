@@ -28,6 +28,17 @@ struct Options {
   double cpu_s = 0;  ///< for each request; 0: no limit
 };
 
+/// Envelope_3 compares the envelopes of parts of the sites, where pairs may tie that never govern.
+Relevant with_all_pairs(const Forms& forms, Relevant relevant) {
+  for (std::size_t i = 0; i < forms.site.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (relevant.site[i] && relevant.site[j])
+        for (const Curve& c :
+             zeros(forms.site[i].squared_distance - forms.site[j].squared_distance).on)
+          relevant.curves.add(c);
+  return relevant;
+}
+
 class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}
@@ -68,7 +79,8 @@ class Session {
     const Window window{{Rational(r.rect.u0), Rational(r.rect.u1)},
                         {Rational(r.rect.v0), Rational(r.rect.v1)}};
     Relevant relevant = relevant_curves(forms, window);
-    if (options_.method == Method::kEnvelope) relevant = with_domains(forms, relevant);
+    if (options_.method == Method::kEnvelope)
+      relevant = with_all_pairs(forms, with_domains(forms, relevant));
     const PlanarCells cells = arrange(forms, relevant, window);
     read_map(forms, cells, label(forms, relevant, cells, test), out);
     return out;

@@ -34,10 +34,10 @@ TEST_F(CgalFace, RandomRectangles_GiveOneMap) {
   Random random(41);
   int k = 0;
   for (const Scene& s : test::catalogue(random))
-    if (k++ % 2 == 0) compare(s, random_rect(random, s), tally);
+    if (k++ % 3 == 0) compare(s, random_rect(random, s), tally);
   tally.print("random");
   EXPECT_EQ(tally.different, 0);
-  EXPECT_GE(tally.same, 15);
+  EXPECT_GE(tally.same, 9);
 }
 
 TEST_F(CgalFace, DegenerateRectangles_GiveOneMap) {
@@ -45,14 +45,14 @@ TEST_F(CgalFace, DegenerateRectangles_GiveOneMap) {
   Random random(42);
   int k = 0;
   test::degenerate_problems(random, [&](const Scene& s, const Rect& r) {
-    if (k++ % 5 == 0) compare(s, r, tally);
+    if (k++ % 7 == 0) compare(s, r, tally);
   });
   test::corners_and_mid_planes([&](const Scene& s, const Rect& r) {
-    if (k++ % 3 == 0) compare(s, r, tally);
+    if (k++ % 5 == 0) compare(s, r, tally);
   });
   tally.print("degenerate");
   EXPECT_EQ(tally.different, 0);
-  EXPECT_GE(tally.same, 12);
+  EXPECT_GE(tally.same, 8);
 }
 
 TEST_F(CgalFace, EnvelopesOfSmallIntegers_GiveOneMap) {
@@ -70,7 +70,7 @@ TEST_F(CgalFace, EnvelopesOfSmallIntegers_GiveOneMap) {
 TEST_F(CgalFace, ConicsOfSmallIntegers_AreRightOrGivenUp) {
   CgalTally tally;
   tally.method = CgalMethod::kConic;
-  tally.limits.wall_s = 2;
+  tally.limits.cpu_s = 2;
   Random random(46);
   test::small_integer_problems(random,
                                [&](const Scene& s, const Rect& r) { compare(s, r, tally); });

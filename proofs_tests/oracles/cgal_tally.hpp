@@ -19,7 +19,8 @@ namespace blum::test {
 
 struct CgalTally {
   CgalMethod method = CgalMethod::kAlgebraic;
-  CgalLimits limits;
+  /// Processor time is the limit; the clock's is far off, as machines may be busy.
+  CgalLimits limits{.wall_s = 300};
   std::size_t most_candidates = 22, most_curved = 8;  // for the oracles' patience
   int problems = 0, skipped = 0;
   int same = 0;  ///< all three decide, and agree
