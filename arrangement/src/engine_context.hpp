@@ -38,6 +38,8 @@ struct EngineContext {
   /// Predicates::never_essential, unit_difference and foot_cone, remembered.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
+  /// Predicates::height of a point of the solid over a face, remembered.
+  [[nodiscard]] const Ball& height(std::uint32_t point, SiteId face);
   [[nodiscard]] Predicates::FootCone foot_cone(std::uint32_t vertex);
 
   /// Reproducible number in [0, 1) from the seed and the given keys.
@@ -48,6 +50,7 @@ struct EngineContext {
  private:
   std::unordered_map<std::uint64_t, bool> never_;
   std::unordered_map<std::uint64_t, BallVector> difference_;
+  std::unordered_map<std::uint64_t, Ball> height_;
   std::unordered_map<std::uint32_t, Predicates::FootCone> foot_cone_;
 };
 

@@ -259,7 +259,7 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
                             const Range& range, const Direction& direction) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const GainPair& p) {
     const LocalForm &a = forms[p.i], &b = forms[p.j];
-    if (slope_upper(p.slope, a, b, range, direction.w) < 0) return true;
+    if (gains(p.slope, a, b, range, direction.w)) return true;
     return !may_share_foot(context_, a.site, b.site, forms, range) &&
            lies_ahead(context_, a.site, b.site, direction, forms, range);
   });
@@ -277,8 +277,11 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
     return gain_along(pairs, forms, range, d);
   };
   std::vector<std::array<double, 2>> against;
-  for (const GainPair& p : pairs)
-    against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+  const auto trend = [&](const GainPair& p) {
+    const BallVector t = p.slope.trend();
+    return std::array{t[u_].mid, t[v_].mid};
+  };
+  for (const GainPair& p : pairs) against.push_back(trend(p));
   if (along(against)) return true;
 
   // Sites that meet in a vertex: by their corners as seen from there.
@@ -288,7 +291,7 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
     const SiteId a = forms[p.i].site, b = forms[p.j].site;
     const CommonCorners common = common_corners(context_.geometry, a, b);
     if (common.count != 1) {
-      against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+      against.push_back(trend(p));
       continue;
     }
     meet = true;
@@ -322,9 +325,11 @@ bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
-      if (groups.of[i] == groups.of[j] || !may_tie(context_, forms[i], forms[j], range)) continue;
-      of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j])});
-      of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i])});
+      if (groups.of[i] == groups.of[j] ||
+          !may_both_govern(context_, forms[i], forms[j], range))
+        continue;
+      of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j], range)});
+      of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i], range)});
     }
   return std::all_of(of_group.begin(), of_group.end(), [&](const auto& pairs) {
     return pairs.empty() || direction_exists(pairs, forms, range);
@@ -449,14 +454,18 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
   }
   const Range range = range_of(box);
   if (groups.count > 1 && !directions_exist(forms, groups, range)) return false;
-  if (context_.part_clusters && range.radius() > ProductionEngine::kSmallestCluster) {
-    for (std::size_t c = 0; c < border.circle.size(); ++c)
-      if (separators[c] >= 4 && !meet_in_one_point(box, forms, groups, border.circle[c]))
-        return false;
-  }
+  for (std::size_t c = 0; c < border.circle.size(); ++c)
+    if (separators[c] >= 4 && !may_be_cluster(box, forms, groups, border.circle[c])) return false;
   for (std::size_t c = 0; c < border.circle.size(); ++c)
     record(border.circle[c], forms, feet, box, separators[c]);
   return true;
+}
+
+bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,
+                                const Groups& groups, const Circle& circle) {
+  return !context_.part_clusters ||
+         range_of(box).radius() <= ProductionEngine::kSmallestCluster ||
+         meet_in_one_point(box, forms, groups, circle);
 }
 
 bool FaceEngine::meet_in_one_point(const Box& box, std::span<const LocalForm> forms,

@@ -86,6 +86,12 @@ class FaceEngine {
                                  const Groups& feet, const Border& border);
   [[nodiscard]] static bool wholly_inside(const Border& border);
   [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
+  /// May four or more ends meet in one node? Always, unless clusters are to be parted.
+  [[nodiscard]] bool may_be_cluster(const Box& box, std::span<const LocalForm> forms,
+                                    const Groups& groups, const Circle& circle);
+  /// Are all intervals of a circle without ∂O, which has ties, in different groups?
+  [[nodiscard]] static bool differ_in_feet(const Circle& circle, std::span<const LocalForm> forms,
+                                           const Groups& feet);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
   [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
                                        const Groups& groups, const Circle& circle);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
+#include "blum/kernel/check.hpp"
 #include "face_engine.hpp"
 #include "polar_cone.hpp"
 
@@ -59,6 +61,29 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
       return true;
     }
   return false;
+}
+
+bool FaceEngine::differ_in_feet(const Circle& circle, std::span<const LocalForm> forms,
+                                const Groups& feet) {
+  // From just behind a tie, so that no interval is met twice.
+  const auto is_tie = [](const Step& s) { return s.kind == Step::Kind::kTie; };
+  auto start = std::find_if(circle.begin(), circle.end(), is_tie) - circle.begin();
+  std::vector<bool> seen(feet.count, false);
+  bool fresh = false;
+  for (std::size_t k = 0; k < circle.size(); ++k) {
+    const Step& s = circle[(static_cast<std::size_t>(start) + k) % circle.size()];
+    if (is_tie(s)) {
+      fresh = true;
+      continue;
+    }
+    if (!fresh) continue;
+    fresh = false;
+    const auto g = feet.find(forms, s.label);
+    BLUM_CHECK(g < feet.count);
+    if (seen[g]) return false;
+    seen[g] = true;
+  }
+  return true;
 }
 
 namespace {
@@ -122,14 +147,15 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
   // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
   // where feet merge in v.
   const std::uint32_t ties = ties_of(border.circle[0]);
-  if (ties > 3 || !feet_stay_at(context_.geometry, *v, range)) return false;
+  if (!feet_stay_at(context_.geometry, *v, range)) return false;
   if (ties > 0 && may_be_foot(context_, *v, forms, range) &&
       meets_polar_cone(context_.geometry.solid(), *v,
                        point_on(problem_.rect.axis, problem_.rect.level, box.u0, box.v0),
                        point_on(problem_.rect.axis, problem_.rect.level, box.u1, box.v1))) {
     // Even with a single ray, two ties may be one arc, or meet in an event from which a rim starts.
     if (ties > 1) return false;
-  } else if (ties == 1) {
+  } else if (ties == 1 || (ties > 3 && !(differ_in_feet(border.circle[0], forms, feet) &&
+                                         may_be_cluster(box, forms, feet, border.circle[0])))) {
     return false;
   }
   context_.counts.rims += ties == 1;

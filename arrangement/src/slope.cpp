@@ -6,37 +6,9 @@
 #include "groups.hpp"
 
 namespace blum {
+namespace {
 
-PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b) {
-  PairSlope r;
-  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace) {
-    // Inside both planes d = -height, so grad(d_a - d_b) = n_b - n_a: constant, and accurate
-    // however close the planes are.
-    r.gradient = context.unit_difference(b.site, a.site);
-    r.constant = true;
-    return r;
-  }
-  // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
-  for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
-  return r;
-}
-
-Direction Direction::reversed() const {
-  Direction r{{-w[0], -w[1], -w[2]}, line};
-  if (r.line) std::swap(r.line->from, r.line->to);
-  return r;
-}
-
-Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uint32_t to) {
-  const int u = u_axis(axis), v = v_axis(axis);
-  const BallVector d = difference(solid.point[to], solid.point[from]);
-  Direction r;
-  r.w[u] = -d[v];
-  r.w[v] = d[u];
-  r.line = Direction::Line{axis, from, to};
-  return r;
-}
-
+/// Upper bound of slope . w over the range.
 double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
                    const Range& range, const BallVector& w) {
   const Ball s = dot(slope.gradient, w);
@@ -58,13 +30,61 @@ double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& 
   return bound;
 }
 
+}  // namespace
+
+PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                     const Range& range) {
+  PairSlope r;
+  if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace) {
+    // Inside both planes d = -height, so grad(d_a - d_b) = n_b - n_a: constant, and accurate
+    // however close the planes are.
+    r.gradient = context.unit_difference(b.site, a.site);
+    r.constant = true;
+    return r;
+  }
+  // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
+  for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
+  r.ledge = find_ledge(context, a, b, range);
+  return r;
+}
+
+BallVector PairSlope::trend() const {
+  return ledge ? BallVector{-ledge->across[0], -ledge->across[1], -ledge->across[2]} : gradient;
+}
+
+Direction Direction::reversed() const {
+  Direction r{{-w[0], -w[1], -w[2]}, line};
+  if (r.line) std::swap(r.line->from, r.line->to);
+  return r;
+}
+
+Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uint32_t to) {
+  const int u = u_axis(axis), v = v_axis(axis);
+  const BallVector d = difference(solid.point[to], solid.point[from]);
+  Direction r;
+  r.w[u] = -d[v];
+  r.w[v] = d[u];
+  r.line = Direction::Line{axis, from, to};
+  return r;
+}
+
+bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
+           const BallVector& w) {
+  return slope_upper(slope, a, b, range, w) < 0 || (slope.ledge && slope.ledge->ahead(w));
+}
+
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
   // Faces that both govern have the point on their inner sides, at minus the heights.
   if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace &&
       heights_compared(context, a.site, b.site, range) != 0)
     return false;
-  return !certainly_farther(context.geometry, a, b, range) &&
-         !certainly_farther(context.geometry, b, a, range);
+  return !certainly_farther(context.geometry, a, b, range, &context) &&
+         !certainly_farther(context.geometry, b, a, range, &context);
+}
+
+bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                     const Range& range) {
+  return !context.never_essential(a.site, b.site) && may_tie(context, a, b, range);
 }
 
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {

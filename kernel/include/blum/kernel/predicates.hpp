@@ -89,6 +89,14 @@ class Predicates {
   /// normals are; all components zero iff the normals are equal.
   [[nodiscard]] BallVector unit_difference(SiteId face_a, SiteId face_b);
 
+  /// Enclosure of the signed distance of a point of the solid to the plane of a triangle (negative
+  /// on the solid's side), with small *relative* error; zero iff it is.
+  [[nodiscard]] Ball height(std::uint32_t point, std::uint32_t triangle);
+
+  /// Enclosure of d_a(x)^2 - d_b(x)^2 for the carriers, from 128-bit arithmetic: for a and b that
+  /// balls in double do not tell apart.
+  [[nodiscard]] Ball squared_difference(const Point3& x, SiteId a, SiteId b);
+
  private:
   [[nodiscard]] bool behind(SiteId site, SiteId other);
   template <class F>
