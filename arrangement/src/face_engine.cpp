@@ -284,6 +284,22 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
   for (const GainPair& p : pairs) against.push_back(trend(p));
   if (along(against)) return true;
 
+  // By all directions of their feet, where edges are so near that gradients vary too much.
+  against.clear();
+  bool all_known = true;
+  for (const GainPair& p : pairs) {
+    const auto& [f, g] = p.slope.fan;
+    if (p.slope.constant || p.slope.ledge) {
+      against.push_back(trend(p));
+      continue;
+    }
+    all_known &= f.count > 0 && g.count > 0;
+    for (int i = 0; i < f.count; ++i)
+      for (int j = 0; j < g.count; ++j)
+        against.push_back({f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
+  }
+  if (all_known && along(against)) return true;
+
   // Sites that meet in a vertex: by their corners as seen from there.
   against.clear();
   bool meet = false;

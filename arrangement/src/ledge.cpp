@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "groups.hpp"
-
 namespace blum {
 namespace {
 
@@ -30,8 +28,7 @@ std::optional<Ledge> find_ledge(EngineContext& context, const LocalForm& a, cons
   const Solid& solid = geometry.solid();
   const BallVector &n = geometry.unit(face.site), &u = geometry.unit(edge.site);
   const double slope = dot(n, u).magnitude();
-  if (slope > kNearlyParallel || common_corners(geometry, face.site, edge.site).count > 0)
-    return std::nullopt;
+  if (slope > kNearlyParallel) return std::nullopt;
   const Ball distance = Ball(0.0, spread(n, range)) - face.height;
   const double nearest = distance.low(), farthest = distance.high();
   if (!(nearest > 0)) return std::nullopt;

@@ -52,6 +52,17 @@ bool covered_with_neighbour(const SiteGeometry& geometry, std::uint32_t t, int k
   return true;
 }
 
+/// Are all points of the site farther from x than `distance`? By a plane between them.
+bool farther_than(const SiteGeometry& geometry, SiteId site, const Point3& x, double distance) {
+  const BallVector g = difference(closest_point(geometry, site, x), x);
+  const double reach = up(distance * std::sqrt(dot(g, g).high()));
+  int n = 0;
+  const auto corner = geometry.corners(site, n);
+  for (int k = 0; k < n; ++k)
+    if (!(dot(g, difference(geometry.solid().point[corner[k]], x)).low() > reach)) return false;
+  return true;
+}
+
 }  // namespace
 
 double spread(const BallVector& w, const Range& r) {
@@ -230,7 +241,12 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
     }
     return f.value.low() > up(limit * limit);
   };
-  std::erase_if(out, too_far);
+  // What does not cover the range may have a carrier near by while the site itself is far: slivers
+  // above all, whose prism is too thin for its half-spaces to tell.
+  const auto site_too_far = [&](const LocalForm& f) {
+    return !f.covers && farther_than(geometry, f.site, range.center, limit);
+  };
+  std::erase_if(out, [&](const LocalForm& f) { return too_far(f) || site_too_far(f); });
   if (out.size() < 2) return;
 
   std::array<std::uint32_t, kReferences> reference{};

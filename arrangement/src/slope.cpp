@@ -45,6 +45,7 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
   // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
   for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
   r.ledge = find_ledge(context, a, b, range);
+  r.fan = {fan_of(context.geometry, a.site), fan_of(context.geometry, b.site)};
   return r;
 }
 
@@ -70,7 +71,8 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
 
 bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
            const BallVector& w) {
-  return slope_upper(slope, a, b, range, w) < 0 || (slope.ledge && slope.ledge->ahead(w));
+  return slope_upper(slope, a, b, range, w) < 0 || (slope.ledge && slope.ledge->ahead(w)) ||
+         gains_by_fans(slope.fan[0], slope.fan[1], w);
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine_context.hpp"
+#include "fan.hpp"
 #include "ledge.hpp"
 #include "local_form.hpp"
 
@@ -18,6 +19,7 @@ struct PairSlope {
   BallVector gradient;    ///< enclosure up to a positive factor, at the centre
   bool constant = false;  ///< two faces: the same everywhere
   std::optional<Ledge> ledge;
+  std::array<Fan, 2> fan;  ///< of a and of b
 
   /// A vector near the derivative's direction.
   [[nodiscard]] BallVector trend() const;
