@@ -277,28 +277,22 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
     return gain_along(pairs, forms, range, d);
   };
   std::vector<std::array<double, 2>> against;
-  const auto trend = [&](const GainPair& p) {
-    const BallVector t = p.slope.trend();
-    return std::array{t[u_].mid, t[v_].mid};
-  };
-  for (const GainPair& p : pairs) against.push_back(trend(p));
+  for (const GainPair& p : pairs)
+    against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
   if (along(against)) return true;
 
   // By all directions of their feet, where edges are so near that gradients vary too much.
   against.clear();
-  bool all_known = true;
+  bool known = true;
   for (const GainPair& p : pairs) {
-    const auto& [f, g] = p.slope.fan;
-    if (p.slope.constant || p.slope.ledge) {
-      against.push_back(trend(p));
-      continue;
-    }
-    all_known &= f.count > 0 && g.count > 0;
+    const auto& [f, g, tie] = p.slope.fans;
+    if (p.slope.constant) against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+    known &= p.slope.constant || (f.count > 0 && g.count > 0);
     for (int i = 0; i < f.count; ++i)
       for (int j = 0; j < g.count; ++j)
         against.push_back({f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
   }
-  if (all_known && along(against)) return true;
+  if (known && along(against)) return true;
 
   // Sites that meet in a vertex: by their corners as seen from there.
   against.clear();
@@ -307,7 +301,7 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
     const SiteId a = forms[p.i].site, b = forms[p.j].site;
     const CommonCorners common = common_corners(context_.geometry, a, b);
     if (common.count != 1) {
-      against.push_back(trend(p));
+      against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
       continue;
     }
     meet = true;

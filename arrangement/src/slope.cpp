@@ -44,13 +44,8 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
   }
   // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
   for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
-  r.ledge = find_ledge(context, a, b, range);
-  r.fan = {fan_of(context.geometry, a.site), fan_of(context.geometry, b.site)};
+  r.fans = fans_at_ties(context, a, b, range);
   return r;
-}
-
-BallVector PairSlope::trend() const {
-  return ledge ? BallVector{-ledge->across[0], -ledge->across[1], -ledge->across[2]} : gradient;
 }
 
 Direction Direction::reversed() const {
@@ -71,8 +66,8 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
 
 bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
            const BallVector& w) {
-  return slope_upper(slope, a, b, range, w) < 0 || (slope.ledge && slope.ledge->ahead(w)) ||
-         gains_by_fans(slope.fan[0], slope.fan[1], w);
+  return slope_upper(slope, a, b, range, w) < 0 ||
+         (!slope.constant && gains_by_fans(slope.fans, w));
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
@@ -86,7 +81,8 @@ bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, con
 
 bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
                      const Range& range) {
-  return !context.never_essential(a.site, b.site) && may_tie(context, a, b, range);
+  return !context.never_essential(a.site, b.site) && may_tie(context, a, b, range) &&
+         fans_at_ties(context, a, b, range).tie;
 }
 
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {

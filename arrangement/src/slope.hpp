@@ -9,7 +9,6 @@
 
 #include "engine_context.hpp"
 #include "fan.hpp"
-#include "ledge.hpp"
 #include "local_form.hpp"
 
 namespace blum {
@@ -18,11 +17,7 @@ namespace blum {
 struct PairSlope {
   BallVector gradient;    ///< enclosure up to a positive factor, at the centre
   bool constant = false;  ///< two faces: the same everywhere
-  std::optional<Ledge> ledge;
-  std::array<Fan, 2> fan;  ///< of a and of b
-
-  /// A vector near the derivative's direction.
-  [[nodiscard]] BallVector trend() const;
+  FanPair fans;  ///< if not constant
 };
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
