@@ -63,30 +63,12 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
   return false;
 }
 
-bool FaceEngine::differ_in_feet(const Circle& circle, std::span<const LocalForm> forms,
-                                const Groups& feet) {
-  // From just behind a tie, so that no interval is met twice.
-  const auto is_tie = [](const Step& s) { return s.kind == Step::Kind::kTie; };
-  auto start = std::find_if(circle.begin(), circle.end(), is_tie) - circle.begin();
-  std::vector<bool> seen(feet.count, false);
-  bool fresh = false;
-  for (std::size_t k = 0; k < circle.size(); ++k) {
-    const Step& s = circle[(static_cast<std::size_t>(start) + k) % circle.size()];
-    if (is_tie(s)) {
-      fresh = true;
-      continue;
-    }
-    if (!fresh) continue;
-    fresh = false;
-    const auto g = feet.find(forms, s.label);
-    BLUM_CHECK(g < feet.count);
-    if (seen[g]) return false;
-    seen[g] = true;
-  }
-  return true;
-}
-
 namespace {
+
+bool all_different(std::vector<std::uint32_t> x) {
+  std::sort(x.begin(), x.end());
+  return std::adjacent_find(x.begin(), x.end()) == x.end();
+}
 
 /// A vertex that is a corner of all sites; nullopt if there is none.
 std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
@@ -154,9 +136,13 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
                        point_on(problem_.rect.axis, problem_.rect.level, box.u1, box.v1))) {
     // Even with a single ray, two ties may be one arc, or meet in an event from which a rim starts.
     if (ties > 1) return false;
-  } else if (ties == 1 || (ties > 3 && !(differ_in_feet(border.circle[0], forms, feet) &&
-                                         may_be_cluster(box, forms, feet, border.circle[0])))) {
+  } else if (ties == 1) {
     return false;
+  } else if (ties > 3) {
+    // Intervals in different groups are of different regions: then the forest is one tree.
+    const auto runs = runs_of(border.circle[0], forms, feet);
+    if (!runs || !all_different(*runs) || !may_be_cluster(box, forms, feet, border.circle[0]))
+      return false;
   }
   context_.counts.rims += ties == 1;
   record(border.circle[0], forms, feet, box, ties, ties == 1);

@@ -36,12 +36,15 @@ Fan fan_of(const SiteGeometry& geometry, SiteId site) {
     case SiteKind::kFace:
       f.count = 1;
       f.end[0] = negative(geometry.unit(site));
+      f.face[0] = site;
       break;
     case SiteKind::kEdge: {
       f.count = 2;
       const auto& beside = geometry.solid().edge[index.element(site)].triangle;
-      for (std::size_t k = 0; k < 2; ++k)
-        f.end[k] = negative(geometry.unit(index.face(beside[k])));
+      for (std::size_t k = 0; k < 2; ++k) {
+        f.face[k] = index.face(beside[k]);
+        f.end[k] = negative(geometry.unit(*f.face[k]));
+      }
       set_stretch(f);
       break;
     }
@@ -90,22 +93,26 @@ bool trim(Fan& fan, const BallVector& face, double apart) {
   if ((cosine - cos_angle).sign() != -1) return (cosine - cos_angle).sign() != 1;
   const Ball sin_angle = c * root(Ball(1.0) - half_square * Ball(0.5));
   trimmed = combined(cos_angle, trimmed, divide(sin_angle, root(square)), tangent);
+  fan.face[first ? 0 : 1].reset();
   set_stretch(fan);
   return true;
 }
 
 }  // namespace
 
-double Fan::low(const BallVector& w) const {
-  const Ball first = dot(end[0], w);
-  if (count == 1) return first.low();
-  const Ball second = dot(end[1], w);
-  const double least = std::min(first.low(), second.low());
-  if (least >= 0) return least;
-  // Along an arc of less than pi a product that rises from one end is least at an end.
+bool Fan::least_at_end(const BallVector& w) const {
+  if (count == 1) return true;
+  const Ball first = dot(end[0], w), second = dot(end[1], w);
+  if (std::min(first.low(), second.low()) >= 0) return true;
+  // Along an arc of less than pi, a product that rises from one end is least at an end.
   const Ball cosine = dot(end[0], end[1]);
-  if ((second - cosine * first).low() >= 0 || (first - cosine * second).low() >= 0) return least;
-  return least * stretch * kUp;
+  return (second - cosine * first).low() >= 0 || (first - cosine * second).low() >= 0;
+}
+
+double Fan::low(const BallVector& w) const {
+  double least = dot(end[0], w).low();
+  if (count == 2) least = std::min(least, dot(end[1], w).low());
+  return least_at_end(w) ? least : least * stretch * kUp;
 }
 
 double Fan::high(const BallVector& w) const { return -low(negative(w)); }
@@ -120,8 +127,21 @@ FanPair fans_at_ties(EngineContext& context, const LocalForm& a, const LocalForm
   return r;
 }
 
-bool gains_by_fans(const FanPair& fans, const BallVector& w) {
-  return fans.a.count > 0 && fans.b.count > 0 && fans.a.high(w) < fans.b.low(w);
+bool gains_by_fans(EngineContext& context, const FanPair& fans, const BallVector& w) {
+  const auto& [a, b, tie] = fans;
+  if (a.count == 0 || b.count == 0) return false;
+  if (a.high(w) < b.low(w)) return true;
+  // End by end, with precise differences of normals. Equal gradients mean equal feet.
+  if (!b.least_at_end(w) || !a.least_at_end(negative(w))) return false;
+  for (int i = 0; i < a.count; ++i)
+    for (int j = 0; j < b.count; ++j) {
+      const BallVector d = a.face[i] && b.face[j]
+                               ? context.unit_difference(*a.face[i], *b.face[j])
+                               : combined(Ball(1.0), b.end[j], Ball(-1.0), a.end[i]);
+      const int sign = dot(d, w).sign();
+      if (sign != 1 && sign != 0) return false;
+    }
+  return true;
 }
 
 }  // namespace blum

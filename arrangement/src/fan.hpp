@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "engine_context.hpp"
 #include "local_form.hpp"
@@ -13,12 +14,15 @@ namespace blum {
 /// in docs/proofs.md.
 struct Fan {
   std::array<BallVector, 2> end;  ///< of length 1
+  std::array<std::optional<SiteId>, 2> face;  ///< whose inner normal the end is, if it is one
   int count = 0;                  ///< 1: face, 2: edge, 0: a vertex, nothing known
   double stretch = 1;             ///< bound on p + q for unit vectors p end[0] + q end[1]
 
   /// Bounds of the products of all its vectors with w. Requires: count > 0.
   [[nodiscard]] double low(const BallVector& w) const;
   [[nodiscard]] double high(const BallVector& w) const;
+  /// Is the product least at an end? False: undecided.
+  [[nodiscard]] bool least_at_end(const BallVector& w) const;
 };
 
 /// Fans of two sites, of what their feet can be where they tie.
@@ -29,7 +33,7 @@ struct FanPair {
 [[nodiscard]] FanPair fans_at_ties(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
-/// Is (grad d_a - grad d_b) . w < 0 wherever they tie? False: undecided.
-[[nodiscard]] bool gains_by_fans(const FanPair& fans, const BallVector& w);
+/// Is (grad d_a - grad d_b) . w < 0 wherever they tie with different feet? False: undecided.
+[[nodiscard]] bool gains_by_fans(EngineContext& context, const FanPair& fans, const BallVector& w);
 
 }  // namespace blum

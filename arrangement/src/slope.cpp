@@ -64,10 +64,10 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
   return r;
 }
 
-bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
-           const BallVector& w) {
+bool gains(EngineContext& context, const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+           const Range& range, const BallVector& w) {
   return slope_upper(slope, a, b, range, w) < 0 ||
-         (!slope.constant && gains_by_fans(slope.fans, w));
+         (!slope.constant && gains_by_fans(context, slope.fans, w));
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
@@ -106,23 +106,26 @@ bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& dir
         if (side(context, direction, cb[j], ca[i]) != 1) return false;
     return true;
   }
-  // A plane through a common corner v, which is no foot, parts them. A site may lie on it with v
-  // and with a boundary edge from there that holds no foot.
+  // A plane through a common corner v, which is no foot, parts them: one lies on its side and may
+  // touch it, the other strictly. A site is strictly on a side too if it meets the plane in v and
+  // in a boundary edge from there that holds no foot.
   const auto v = common.vertex[0];
-  const auto parted = [&](std::span<const std::uint32_t> corner, int sign) {
+  const auto parted = [&](std::span<const std::uint32_t> corner, int sign, bool strictly) {
     int on_plane = 0;
     for (const auto p : corner) {
       if (p == v) continue;
       const int s = side(context, direction, v, p);
-      if (s == sign) continue;
+      if (s == sign || (s == 0 && !strictly)) continue;
       if (s != 0 || ++on_plane > 1 || may_be_foot(context, p, forms, range) ||
           may_hold_foot(context, v, p, forms))
         return false;
     }
     return true;
   };
-  return parted({ca.data(), static_cast<std::size_t>(na)}, 1) &&
-         parted({cb.data(), static_cast<std::size_t>(nb)}, -1);
+  const std::span<const std::uint32_t> a_corner(ca.data(), static_cast<std::size_t>(na)),
+      b_corner(cb.data(), static_cast<std::size_t>(nb));
+  return (parted(a_corner, 1, true) && parted(b_corner, -1, false)) ||
+         (parted(a_corner, 1, false) && parted(b_corner, -1, true));
 }
 
 std::optional<std::vector<int>> sides_of(EngineContext& context, std::span<const LocalForm> forms,

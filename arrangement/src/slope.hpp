@@ -22,9 +22,9 @@ struct PairSlope {
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
-/// Is the derivative along w negative wherever a and b tie? False: undecided.
-[[nodiscard]] bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                         const Range& range, const BallVector& w);
+/// Is the derivative along w negative wherever a and b tie with different feet? False: undecided.
+[[nodiscard]] bool gains(EngineContext& context, const PairSlope& slope, const LocalForm& a,
+                         const LocalForm& b, const Range& range, const BallVector& w);
 
 /// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
 /// the projection along `axis` of the line from one point of the solid to another.
