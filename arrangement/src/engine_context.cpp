@@ -13,13 +13,9 @@ std::uint64_t mix(std::uint64_t x) {  // splitmix64's finaliser
   return x ^ (x >> 31);
 }
 
-std::uint64_t ordered_key(SiteId a, SiteId b) {
-  return (std::uint64_t{a.value} << 32) | b.value;
-}
+std::uint64_t ordered_key(SiteId a, SiteId b) { return (std::uint64_t{a.value} << 32) | b.value; }
 
-std::uint64_t pair_key(SiteId a, SiteId b) {
-  return a < b ? ordered_key(a, b) : ordered_key(b, a);
-}
+std::uint64_t pair_key(SiteId a, SiteId b) { return a < b ? ordered_key(a, b) : ordered_key(b, a); }
 
 }  // namespace
 

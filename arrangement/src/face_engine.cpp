@@ -259,9 +259,9 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
                             const Range& range, const Direction& direction) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const GainPair& p) {
     const LocalForm &a = forms[p.i], &b = forms[p.j];
-    if (gains(context_, p.slope, a, b, range, direction.w)) return true;
+    if (gains(p.slope, a, b, range, direction.w)) return true;
     return !may_share_foot(context_, a.site, b.site, forms, range) &&
-           lies_ahead(context_, a.site, b.site, direction, forms, range);
+           gains_by_feet(context_, p.slope, a.site, b.site, direction, forms, range);
   });
 }
 
@@ -290,7 +290,8 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
     known &= p.slope.constant || (f.count > 0 && g.count > 0);
     for (int i = 0; i < f.count; ++i)
       for (int j = 0; j < g.count; ++j)
-        against.push_back({f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
+        against.push_back(
+            {f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
   }
   if (known && along(against)) return true;
 
@@ -345,8 +346,7 @@ bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
-      if (groups.of[i] == groups.of[j] ||
-          !may_both_govern(context_, forms[i], forms[j], range))
+      if (groups.of[i] == groups.of[j] || !may_both_govern(context_, forms[i], forms[j], range))
         continue;
       of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j], range)});
       of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i], range)});
@@ -483,7 +483,8 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
   const auto repeated = std::count(often.begin(), often.end(), true);
   if (repeated > 1) return false;
   const Range range = range_of(box);
-  if (repeated == 0 && (groups.count == 1 || directions_exist(forms, groups, groups.count, range))) {
+  if (repeated == 0 &&
+      (groups.count == 1 || directions_exist(forms, groups, groups.count, range))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
@@ -539,8 +540,7 @@ void FaceEngine::record_bands(const Circle& circle, std::span<const LocalForm> f
 
 bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,
                                 const Groups& groups, const Circle& circle) {
-  return !context_.part_clusters ||
-         range_of(box).radius() <= ProductionEngine::kSmallestCluster ||
+  return !context_.part_clusters || range_of(box).radius() <= ProductionEngine::kSmallestCluster ||
          meet_in_one_point(box, forms, groups, circle);
 }
 

@@ -74,8 +74,7 @@ Depth depth_at_ties(EngineContext& context, const LocalForm& face, const LocalFo
   const BallVector along = difference(solid.point[q], solid.point[p]);
   const Ball whole = root(dot(along, along));
   // Depth is linear along the edge; feet of the range lie in a part of it.
-  const Ball foot =
-      dot(u, difference(range.center, solid.point[p])) + Ball(0.0, spread(u, range));
+  const Ball foot = dot(u, difference(range.center, solid.point[p])) + Ball(0.0, spread(u, range));
   const auto depth = [&](double t) { return at_p + (at_q - at_p) * divide(Ball(t), whole); };
   const double least = std::min(depth(std::max(0.0, foot.low())).low(),
                                 depth(std::min(whole.high(), foot.high())).low());
@@ -108,8 +107,7 @@ std::optional<BallVector> middle_of(const Fan& fan, const BallVector& direction)
   const BallVector normal = cross(fan.end[0], fan.end[1]);
   const Ball square = dot(normal, normal);
   if (!(square.low() > 0)) return std::nullopt;
-  BallVector m =
-      combined(Ball(1.0), direction, -divide(dot(direction, normal), square), normal);
+  BallVector m = combined(Ball(1.0), direction, -divide(dot(direction, normal), square), normal);
   const Ball norm = dot(m, m);
   if (!(norm.low() > 0)) return std::nullopt;
   for (Ball& c : m) c = divide(c, root(norm));
@@ -153,10 +151,11 @@ bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm&
   for (std::size_t k = 0; k < 2; ++k) {
     // From the middle away from end k; ties beyond end k have the foot on the face behind by
     // sin(angle) of the distance, at least 0.7 times the chord.
-    const BallVector w = combined(Ball(1.0), fan.end[1 - k], -dot(fan.end[1 - k], *middle), *middle);
+    const BallVector w =
+        combined(Ball(1.0), fan.end[1 - k], -dot(fan.end[1 - k], *middle), *middle);
     const Ball norm = root(dot(w, w));
-    const double reach = (0.7 * depth.feet * kDown - 1.8 * off * depth.farthest * kUp) *
-                         norm.low() * kDown;
+    const double reach =
+        (0.7 * depth.feet * kDown - 1.8 * off * depth.farthest * kUp) * norm.low() * kDown;
     if (!(reach > 0) || !reaches_ahead(context.geometry, face.site, edge.site, w, reach)) continue;
     fan.end[k] = *middle;
     fan.face[k].reset();
@@ -195,19 +194,21 @@ FanPair fans_at_ties(EngineContext& context, const LocalForm& a, const LocalForm
   return r;
 }
 
-bool gains_by_fans(EngineContext& context, const FanPair& fans, const BallVector& w) {
+bool gains_by_fans(const FanPair& fans, const BallVector& w) {
+  return fans.a.count > 0 && fans.b.count > 0 && fans.a.high(w) < fans.b.low(w);
+}
+
+bool gains_by_fan_ends(EngineContext& context, const FanPair& fans, const BallVector& w) {
   const auto& [a, b, tie] = fans;
-  if (a.count == 0 || b.count == 0) return false;
-  if (a.high(w) < b.low(w)) return true;
-  // End by end, with precise differences of normals. Equal gradients mean equal feet.
-  if (!b.least_at_end(w) || !a.least_at_end(negative(w))) return false;
-  for (int i = 0; i < a.count; ++i)
-    for (int j = 0; j < b.count; ++j) {
+  if (a.count == 0 || b.count == 0 || !b.least_at_end(w) || !a.least_at_end(negative(w)))
+    return false;
+  const auto zero = [](const Ball& x) { return x.sign() == 0; };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.count); ++i)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(b.count); ++j) {
       const BallVector d = a.face[i] && b.face[j]
                                ? context.unit_difference(*a.face[i], *b.face[j])
                                : combined(Ball(1.0), b.end[j], Ball(-1.0), a.end[i]);
-      const int sign = dot(d, w).sign();
-      if (sign != 1 && sign != 0) return false;
+      if (dot(d, w).sign() != 1 && !std::all_of(d.begin(), d.end(), zero)) return false;
     }
   return true;
 }

@@ -204,7 +204,8 @@ int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& ra
   Ball h = dot(d, difference(range.center, solid.point[p]));
   if (!meet) {
     // Planes at an angle are told apart by bisecting, well above the error of their heights.
-    if (std::max({d[0].magnitude(), d[1].magnitude(), d[2].magnitude()}) > kNearlyParallel) return 0;
+    if (std::max({d[0].magnitude(), d[1].magnitude(), d[2].magnitude()}) > kNearlyParallel)
+      return 0;
     h = h - context.height(p, b);
   }
   const double s = spread(d, range);

@@ -52,8 +52,8 @@ struct LocalForm {
 /// Is d_a^2 - d_b^2 > 0 (carriers) at every point of the range where a can govern? Requires, for
 /// the conclusion "a does not govern", that b.covers; without it only "a and b do not tie, b nearer
 /// by carrier".
-/// With a context, faces are also compared by heights_compared, and other sites more precisely where
-/// the error of the values decides.
+/// With a context, faces are also compared by heights_compared, and other sites more precisely
+/// where the error of the values decides.
 [[nodiscard]] bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a,
                                      const LocalForm& b, const Range& range,
                                      EngineContext* context = nullptr);

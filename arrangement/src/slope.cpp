@@ -64,10 +64,10 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
   return r;
 }
 
-bool gains(EngineContext& context, const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-           const Range& range, const BallVector& w) {
+bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
+           const BallVector& w) {
   return slope_upper(slope, a, b, range, w) < 0 ||
-         (!slope.constant && gains_by_fans(context, slope.fans, w));
+         (!slope.constant && gains_by_fans(slope.fans, w));
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
@@ -94,6 +94,10 @@ int side(EngineContext& context, const Direction& direction, std::uint32_t v, st
   return dot(direction.w, difference(solid.point[p], solid.point[v])).sign();
 }
 
+namespace {
+
+/// Is (y - z) . w > 0 for all points y of a and z of b that are feet of points of the range? By the
+/// corners alone. Requires: they share no foot there.
 bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& direction,
                 std::span<const LocalForm> forms, const Range& range) {
   const SiteGeometry& geometry = context.geometry;
@@ -126,6 +130,15 @@ bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& dir
       b_corner(cb.data(), static_cast<std::size_t>(nb));
   return (parted(a_corner, 1, true) && parted(b_corner, -1, false)) ||
          (parted(a_corner, 1, false) && parted(b_corner, -1, true));
+}
+
+}  // namespace
+
+bool gains_by_feet(EngineContext& context, const PairSlope& slope, SiteId a, SiteId b,
+                   const Direction& direction, std::span<const LocalForm> forms,
+                   const Range& range) {
+  return lies_ahead(context, a, b, direction, forms, range) ||
+         (!slope.constant && gains_by_fan_ends(context, slope.fans, direction.w));
 }
 
 std::optional<std::vector<int>> sides_of(EngineContext& context, std::span<const LocalForm> forms,

@@ -17,14 +17,14 @@ namespace blum {
 struct PairSlope {
   BallVector gradient;    ///< enclosure up to a positive factor, at the centre
   bool constant = false;  ///< two faces: the same everywhere
-  FanPair fans;  ///< if not constant
+  FanPair fans;           ///< if not constant
 };
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
-/// Is the derivative along w negative wherever a and b tie with different feet? False: undecided.
-[[nodiscard]] bool gains(EngineContext& context, const PairSlope& slope, const LocalForm& a,
-                         const LocalForm& b, const Range& range, const BallVector& w);
+/// Is the derivative along w negative wherever a and b tie? False: undecided.
+[[nodiscard]] bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+                         const Range& range, const BallVector& w);
 
 /// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
 /// the projection along `axis` of the line from one point of the solid to another.
@@ -53,11 +53,12 @@ struct Direction {
 [[nodiscard]] int side(EngineContext& context, const Direction& direction, std::uint32_t v,
                        std::uint32_t p);
 
-/// Is (y - z) . w > 0 for all points y of a and z of b that are feet of points of the range? By the
-/// corners alone. Requires: the sites share no foot there (may_share_foot).
-[[nodiscard]] bool lies_ahead(EngineContext& context, SiteId a, SiteId b,
-                              const Direction& direction, std::span<const LocalForm> forms,
-                              const Range& range);
+/// Does a gain on b along the direction, by what the feet of points of the range can be: corners on
+/// two sides of a plane, or the ends of fans? False: undecided. Requires: the sites share no foot
+/// there (may_share_foot).
+[[nodiscard]] bool gains_by_feet(EngineContext& context, const PairSlope& slope, SiteId a, SiteId b,
+                                 const Direction& direction, std::span<const LocalForm> forms,
+                                 const Range& range);
 
 /// On which side of the plane through v, across the direction, each form's site lies: +1 ahead, -1
 /// behind, 0 if it is v. Nullopt if a site has possible feet on both sides, or on the plane outside
