@@ -13,10 +13,9 @@ std::uint64_t mix(std::uint64_t x) {  // splitmix64's finaliser
   return x ^ (x >> 31);
 }
 
-std::uint64_t pair_key(SiteId a, SiteId b) {
-  if (b < a) std::swap(a, b);
-  return (std::uint64_t{a.value} << 32) | b.value;
-}
+std::uint64_t ordered_key(SiteId a, SiteId b) { return (std::uint64_t{a.value} << 32) | b.value; }
+
+std::uint64_t pair_key(SiteId a, SiteId b) { return a < b ? ordered_key(a, b) : ordered_key(b, a); }
 
 }  // namespace
 
@@ -28,9 +27,14 @@ bool EngineContext::never_essential(SiteId a, SiteId b) {
 }
 
 const BallVector& EngineContext::unit_difference(SiteId a, SiteId b) {
-  const std::uint64_t key = (std::uint64_t{a.value} << 32) | b.value;
-  const auto [it, fresh] = difference_.try_emplace(key);
+  const auto [it, fresh] = difference_.try_emplace(ordered_key(a, b));
   if (fresh) it->second = predicates.unit_difference(a, b);
+  return it->second;
+}
+
+const Ball& EngineContext::height(std::uint32_t point, SiteId face) {
+  const auto [it, fresh] = height_.try_emplace((std::uint64_t{point} << 32) | face.value);
+  if (fresh) it->second = predicates.height(point, geometry.index().element(face));
   return it->second;
 }
 

@@ -42,6 +42,8 @@ struct EngineContext {
   /// all ties count. unit_difference, foot_cone and (Voronoi) touch are remembered too.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
+  /// Predicates::height of a point of the solid over a face, remembered.
+  [[nodiscard]] const Ball& height(std::uint32_t point, SiteId face);
   [[nodiscard]] Predicates::FootCone foot_cone(std::uint32_t vertex);
   [[nodiscard]] const Touch& touch(SiteId a, SiteId b);
 
@@ -53,6 +55,7 @@ struct EngineContext {
  private:
   std::unordered_map<std::uint64_t, bool> never_;
   std::unordered_map<std::uint64_t, BallVector> difference_;
+  std::unordered_map<std::uint64_t, Ball> height_;
   std::unordered_map<std::uint32_t, Predicates::FootCone> foot_cone_;
   std::unordered_map<std::uint64_t, Touch> touch_;
 };

@@ -259,9 +259,9 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
                             const Range& range, const Direction& direction) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const GainPair& p) {
     const LocalForm &a = forms[p.i], &b = forms[p.j];
-    if (slope_upper(p.slope, a, b, range, direction.w) < 0) return true;
+    if (gains(p.slope, a, b, range, direction.w)) return true;
     return !may_share_foot(context_, a.site, b.site, forms, range) &&
-           lies_ahead(context_, a.site, b.site, direction, forms, range);
+           gains_by_feet(context_, p.slope, a.site, b.site, direction, forms, range);
   });
 }
 
@@ -280,6 +280,20 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
   for (const GainPair& p : pairs)
     against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
   if (along(against)) return true;
+
+  // By all directions of their feet, where edges are so near that gradients vary too much.
+  against.clear();
+  bool known = true;
+  for (const GainPair& p : pairs) {
+    const auto& [f, g, tie] = p.slope.fans;
+    if (p.slope.constant) against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
+    known &= p.slope.constant || (f.count > 0 && g.count > 0);
+    for (int i = 0; i < f.count; ++i)
+      for (int j = 0; j < g.count; ++j)
+        against.push_back(
+            {f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
+  }
+  if (known && along(against)) return true;
 
   // Sites that meet in a vertex: by their corners as seen from there.
   against.clear();
@@ -305,63 +319,68 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
   if (!meet || context_.voronoi()) return false;
   if (along(against)) return true;
 
-  // By the planes through their common convex edges.
+  // By the planes through their common convex edges, or through one and an edge of one of them.
   for (const GainPair& p : pairs) {
     const CommonCorners common =
         common_corners(context_.geometry, forms[p.i].site, forms[p.j].site);
-    if (common.count != 2) continue;
-    const Direction d = left_normal(solid, problem_.rect.axis, common.vertex[0], common.vertex[1]);
-    if (gain_along(pairs, forms, range, d) || gain_along(pairs, forms, range, d.reversed()))
-      return true;
+    std::vector<std::uint32_t> tip;
+    if (common.count == 2) tip.push_back(common.vertex[1]);
+    if (common.count == 1)
+      for (const SiteId s : {forms[p.i].site, forms[p.j].site}) {
+        int n = 0;
+        const auto corner = context_.geometry.corners(s, n);
+        for (int k = 0; k < n; ++k)
+          if (corner[k] != common.vertex[0]) tip.push_back(corner[k]);
+      }
+    for (const auto t : tip) {
+      const Direction d = left_normal(solid, problem_.rect.axis, common.vertex[0], t);
+      if (gain_along(pairs, forms, range, d) || gain_along(pairs, forms, range, d.reversed()))
+        return true;
+    }
   }
   return false;
 }
 
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                  const Range& range) {
+                                  std::uint32_t except, const Range& range) {
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
-      if (groups.of[i] == groups.of[j] || !may_tie(context_, forms[i], forms[j], range)) continue;
-      of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j])});
-      of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i])});
+      if (groups.of[i] == groups.of[j] || !may_both_govern(context_, forms[i], forms[j], range))
+        continue;
+      of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j], range)});
+      of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i], range)});
     }
-  return std::all_of(of_group.begin(), of_group.end(), [&](const auto& pairs) {
-    return pairs.empty() || direction_exists(pairs, forms, range);
-  });
+  for (std::uint32_t g = 0; g < groups.count; ++g)
+    if (g != except && !of_group[g].empty() && !direction_exists(of_group[g], forms, range))
+      return false;
+  return true;
 }
 
-void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
-                        const Box& box, std::uint32_t count, bool rim) {
+FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
+                                              std::span<const LocalForm> forms,
+                                              const Groups& feet) {
   // Rotate so that the walk starts just after a separator, if there is one.
   const std::size_t n = circle.size();
   std::size_t start = 0;
-  const auto separates = [&](const Step& s) {
-    return s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge;
-  };
   for (std::size_t i = 0; i < n; ++i)
     if (separates(circle[i])) start = i;
-  struct End {
-    std::uint32_t node;
-    SiteId below, above;
-  };
-  std::vector<End> ends;
-  std::vector<std::uint32_t> runs;  // runs[k] follows ends[k]
+  Sequence r;
   std::vector<SiteId> labels;
-  std::uint32_t run = Breakpoint::kNone, whole = Breakpoint::kNone;
+  std::uint32_t run = Breakpoint::kNone;
   for (std::size_t k = 0; k < n; ++k) {
     const Step& s = circle[(start + k) % n];
     if (separates(s)) {
       run = Breakpoint::kNone;
       const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
       const auto& g = nodes_[node].node.governors;
-      ends.push_back({node, g.front(), g.back()});
+      r.end.push_back({node, g.front(), g.back()});
       continue;
     }
     const auto element = s.kind == Step::Kind::kInterval ? s.id : trace_element(s.id);
     if (run == Breakpoint::kNone) {
       run = element;
-      runs.push_back(element);
+      r.run.push_back({element, s.label});
       // Feet are continuous in a region, so its governors share feet, one with the next.
       labels.clear();
       const auto group = feet.find(forms, s.label);
@@ -370,25 +389,31 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, 
       label_element(element, labels);
     }
     region_.unite(run, element);
-    if (whole == Breakpoint::kNone) whole = element;
-    component_.unite(whole, element);
+    component_.unite(r.run.front().element, element);
   }
-  for (const End& e : ends) nodes_[e.node].element = whole;
+  for (const Sequence::End& e : r.end) nodes_[e.node].element = r.run.front().element;
+  return r;
+}
+
+void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
+                        const Box& box, std::uint32_t count, bool rim) {
+  const Sequence s = label_circle(circle, forms, feet);
   if (count == 2 && !rim) {
-    add_arc(ends[0].node, ends[1].node, ends[0].below, ends[0].above, {runs[0], runs[1]});
+    add_arc(s.end[0].node, s.end[1].node, s.end[0].below, s.end[0].above,
+            {s.run[0].element, s.run[1].element});
   } else if (count >= 3 || (rim && count > 0)) {
     const auto center = new_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent, box);
-    nodes_[center].element = whole;
-    for (std::size_t k = 0; k < ends.size(); ++k)
-      add_arc(center, ends[k].node, ends[k].below, ends[k].above,
-              {runs[(k + count - 1) % count], runs[k]});
+    nodes_[center].element = s.run.front().element;
+    for (std::size_t k = 0; k < s.end.size(); ++k)
+      add_arc(center, s.end[k].node, s.end[k].below, s.end[k].above,
+              {s.run[(k + count - 1) % count].element, s.run[k].element});
     // Three groups: a tree with three ends has one branching point, a true event. More: a cluster.
     FaceNode& node = nodes_[center].node;
     node.exact = rim || count == 3;
     context_.counts.clusters += !node.exact;
     if (rim)
       for (const LocalForm& f : forms) node.governors.push_back(f.site);
-    for (const End& e : ends) {
+    for (const Sequence::End& e : s.end) {
       node.governors.push_back(e.below);
       node.governors.push_back(e.above);
     }
@@ -413,52 +438,112 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
   return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border);
 }
 
+std::optional<std::vector<std::uint32_t>> FaceEngine::runs_of(const Circle& circle,
+                                                              std::span<const LocalForm> forms,
+                                                              const Groups& groups) {
+  const std::size_t n = circle.size();
+  std::size_t start = 0, separators = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (separates(circle[i])) {
+      start = i;
+      ++separators;
+    }
+  std::vector<std::uint32_t> run;
+  bool fresh = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (separates(s)) {
+      fresh = true;
+      continue;
+    }
+    const auto g = groups.find(forms, s.label);
+    BLUM_CHECK(g < groups.count);
+    if (fresh)
+      run.push_back(g);
+    else if (g != run.back())
+      return std::nullopt;  // separators lie between groups
+    fresh = false;
+  }
+  if (separators > 0 && (separators != run.size() || run.size() < 2)) return std::nullopt;
+  return run;
+}
+
 bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, const Groups& groups,
                              const Groups& feet, const Border& border) {
-  std::vector<std::uint32_t> separators;
-  std::vector<int> runs(groups.count);
+  std::vector<std::vector<std::uint32_t>> runs;
+  std::vector<bool> often(groups.count, false);
   for (const Circle& circle : border.circle) {
-    std::fill(runs.begin(), runs.end(), 0);
-    std::uint32_t separator_count = 0, run_count = 0;
-    const std::size_t n = circle.size();
-    // Group of each step; separators lie between different groups, equal groups are neighbours.
-    std::size_t start = n;
-    for (std::size_t i = 0; i < n && start == n; ++i)
-      if (circle[i].kind == Step::Kind::kTie || circle[i].kind == Step::Kind::kConvexEdge)
-        start = i;
-    std::uint32_t previous = groups.count;
-    bool fresh = true;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Step& s = circle[((start == n ? 0 : start) + k) % n];
-      if (s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge) {
-        ++separator_count;
-        fresh = true;
-        continue;
-      }
-      const auto g = groups.find(forms, s.label);
-      BLUM_CHECK(g < groups.count);
-      if (fresh) {
-        ++run_count;
-        if (++runs[g] > 1) return false;
-        fresh = false;
-      } else if (g != previous) {
-        return false;
-      }
-      previous = g;
+    auto run = runs_of(circle, forms, groups);
+    if (!run) return false;
+    std::vector<bool> seen(groups.count, false);
+    for (const auto g : *run) {
+      if (seen[g]) often[g] = true;
+      seen[g] = true;
     }
-    if (separator_count > 0 && (separator_count != run_count || run_count < 2)) return false;
-    separators.push_back(separator_count);
+    runs.push_back(std::move(*run));
   }
+  const auto repeated = std::count(often.begin(), often.end(), true);
+  if (repeated > 1) return false;
   const Range range = range_of(box);
-  if (groups.count > 1 && !directions_exist(forms, groups, range)) return false;
-  if (context_.part_clusters && range.radius() > ProductionEngine::kSmallestCluster) {
+  if (repeated == 0 &&
+      (groups.count == 1 || directions_exist(forms, groups, groups.count, range))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
-      if (separators[c] >= 4 && !meet_in_one_point(box, forms, groups, border.circle[c]))
+      if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
+    for (std::size_t c = 0; c < border.circle.size(); ++c)
+      record(border.circle[c], forms, feet, box,
+             runs[c].size() > 1 ? static_cast<std::uint32_t>(runs[c].size()) : 0);
+    return true;
   }
-  for (std::size_t c = 0; c < border.circle.size(); ++c)
-    record(border.circle[c], forms, feet, box, separators[c]);
+  // Bands (Theorem D'): one group, and others that it parts.
+  for (std::uint32_t base = 0; base < groups.count; ++base) {
+    if (often[base] == (repeated == 0)) continue;
+    const bool alternate = std::all_of(runs.begin(), runs.end(), [&](const auto& run) {
+      for (std::size_t k = 0; k < run.size(); ++k)
+        if (run.size() > 1 && (run[k] == base) == (run[(k + 1) % run.size()] == base)) return false;
+      return true;
+    });
+    if (!alternate || !parts_the_others(forms, groups, base, range) ||
+        !directions_exist(forms, groups, base, range))
+      continue;
+    for (std::size_t c = 0; c < border.circle.size(); ++c)
+      record_bands(border.circle[c], forms, groups, feet, base);
+    return true;
+  }
+  return false;
+}
+
+bool FaceEngine::parts_the_others(std::span<const LocalForm> forms, const Groups& groups,
+                                  std::uint32_t base, const Range& range) {
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    for (std::size_t j = i + 1; j < forms.size(); ++j)
+      if (groups.of[i] != groups.of[j] && groups.of[i] != base && groups.of[j] != base &&
+          may_both_govern(context_, forms[i], forms[j], range))
+        return false;
   return true;
+}
+
+void FaceEngine::record_bands(const Circle& circle, std::span<const LocalForm> forms,
+                              const Groups& groups, const Groups& feet, std::uint32_t base) {
+  const Sequence s = label_circle(circle, forms, feet);
+  const std::size_t n = s.run.size();
+  std::uint32_t whole = Breakpoint::kNone;  // the region of the base
+  for (std::size_t k = 0; k < n; ++k) {
+    if (groups.find(forms, s.run[k].label) == base) {
+      if (whole == Breakpoint::kNone) whole = s.run[k].element;
+      region_.unite(whole, s.run[k].element);
+    } else if (n > 1) {
+      const auto &from = s.end[k], &to = s.end[(k + 1) % n];
+      add_arc(from.node, to.node, from.below, from.above,
+              {s.run[k].element, s.run[(k + 1) % n].element});
+    }
+  }
+}
+
+bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,
+                                const Groups& groups, const Circle& circle) {
+  return !context_.part_clusters || range_of(box).radius() <= ProductionEngine::kSmallestCluster ||
+         meet_in_one_point(box, forms, groups, circle);
 }
 
 bool FaceEngine::meet_in_one_point(const Box& box, std::span<const LocalForm> forms,

@@ -104,11 +104,22 @@ class FaceEngine {
   [[nodiscard]] Trouble find_corners_in_plane() const;
   [[nodiscard]] static bool wholly_inside(const Border& border);
   [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
+  /// May four or more ends meet in one node? Always, unless clusters are to be parted.
+  [[nodiscard]] bool may_be_cluster(const Box& box, std::span<const LocalForm> forms,
+                                    const Groups& groups, const Circle& circle);
+  /// Groups of the intervals between separators, from just behind the last separator of the
+  /// circle; nullopt if they do not lie between groups.
+  [[nodiscard]] static std::optional<std::vector<std::uint32_t>> runs_of(
+      const Circle& circle, std::span<const LocalForm> forms, const Groups& groups);
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
   [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
                                        const Groups& groups, const Circle& circle);
+  /// For all groups but one.
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      const Range& range);
+                                      std::uint32_t except, const Range& range);
+  /// Can no other two groups tie with one another?
+  [[nodiscard]] bool parts_the_others(std::span<const LocalForm> forms, const Groups& groups,
+                                      std::uint32_t base, const Range& range);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
@@ -119,6 +130,28 @@ class FaceEngine {
                                 const Range& range, const Direction& direction);
   [[nodiscard]] bool direction_exists(std::span<const GainPair> pairs,
                                       std::span<const LocalForm> forms, const Range& range);
+  /// The intervals between the separators of a circle: run[k] follows end[k].
+  struct Sequence {
+    struct End {
+      std::uint32_t node;
+      SiteId below, above;
+    };
+    struct Run {
+      std::uint32_t element;
+      SiteId label;
+    };
+    std::vector<End> end;
+    std::vector<Run> run;
+  };
+  [[nodiscard]] static bool separates(const Step& s) {
+    return s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge;
+  }
+  /// Labels the regions along a circle, and makes them one component.
+  [[nodiscard]] Sequence label_circle(const Circle& circle, std::span<const LocalForm> forms,
+                                      const Groups& feet);
+  /// One arc around each interval that is not of the base.
+  void record_bands(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,
+                    const Groups& feet, std::uint32_t base);
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
               const Box& box, std::uint32_t ties, bool rim = false);
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);

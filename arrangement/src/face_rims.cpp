@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
+#include "blum/kernel/check.hpp"
 #include "face_engine.hpp"
 #include "polar_cone.hpp"
 #include "vertex_cone.hpp"
@@ -61,6 +63,15 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
     }
   return false;
 }
+
+namespace {
+
+bool all_different(std::vector<std::uint32_t> x) {
+  std::sort(x.begin(), x.end());
+  return std::adjacent_find(x.begin(), x.end()) == x.end();
+}
+
+}  // namespace
 
 std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
                                            std::span<const LocalForm> forms) {
@@ -121,7 +132,7 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
   // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
   // where feet merge in v.
   const std::uint32_t ties = ties_of(border.circle[0]);
-  if (ties > 3 || !feet_stay_at(context_.geometry, *v, range)) return false;
+  if (!feet_stay_at(context_.geometry, *v, range)) return false;
   if (ties > 0 && may_be_foot(context_, *v, forms, range) &&
       meets_polar_cone(context_.geometry.solid(), *v,
                        point_on(problem_.rect.axis, problem_.rect.level, box.u0, box.v0),
@@ -130,6 +141,11 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
     if (ties > 1) return false;
   } else if (ties == 1) {
     return false;
+  } else if (ties > 3) {
+    // Intervals in different groups are of different regions: then the forest is one tree.
+    const auto runs = runs_of(border.circle[0], forms, feet);
+    if (!runs || !all_different(*runs) || !may_be_cluster(box, forms, feet, border.circle[0]))
+      return false;
   }
   context_.counts.rims += ties == 1;
   record(border.circle[0], forms, feet, box, ties, ties == 1);

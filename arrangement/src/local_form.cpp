@@ -1,6 +1,7 @@
 #include "local_form.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "blum/kernel/closest_point.hpp"
@@ -14,6 +15,9 @@ double up(double x) { return x * (1 + 0x1p-50) + 0x1p-1000; }
 
 constexpr std::size_t kReferences = 6;
 constexpr std::size_t kMeanReferences = 3;
+/// Errors of values this many times smaller than the rest of a bound do not matter.
+constexpr double kRoundingCounts = 1.0 / 16;
+constexpr double kNearlyParallel = 1e-6;
 
 /// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their sides?
 bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& r,
@@ -44,6 +48,17 @@ bool covered_with_neighbour(const SiteGeometry& geometry, std::uint32_t t, int k
   for (int j = 0; j < 3; ++j)
     if (solid.triangle[other].edge[j] != e && !holds_everywhere(geometry, domain[j], range))
       return false;
+  return true;
+}
+
+/// Are all points of the site farther from x than `distance`? By a plane between them.
+bool farther_than(const SiteGeometry& geometry, SiteId site, const Point3& x, double distance) {
+  const BallVector g = difference(closest_point(geometry, site, x), x);
+  const double reach = up(distance * std::sqrt(dot(g, g).high()));
+  int n = 0;
+  const auto corner = geometry.corners(site, n);
+  for (int k = 0; k < n; ++k)
+    if (!(dot(g, difference(geometry.solid().point[corner[k]], x)).low() > reach)) return false;
   return true;
 }
 
@@ -194,15 +209,29 @@ bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const L
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       second += (a.matrix(i, j) - b.matrix(i, j)).magnitude() * range.half[i] * range.half[j];
-  return (a.value - b.value).low() - spread(g, range) - up(second) > 0;
+  const Ball value = a.value - b.value;
+  const double slack = up(spread(g, range) + up(second));
+  if (value.low() - slack > 0) return true;
+  // In ranges so small that the error of the values decides, they are taken more precisely.
+  return context != nullptr && value.rad > slack * kRoundingCounts && value.high() - slack > 0 &&
+         context->predicates.squared_difference(range.center, a.site, b.site).low() - slack > 0;
 }
 
 int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& range) {
   const SiteGeometry& geometry = context.geometry;
   const CommonCorners common = common_corners(geometry, a, b);
-  if (common.count == 0) return 0;
   const BallVector& d = context.unit_difference(a, b);
-  const Ball h = dot(d, difference(range.center, geometry.solid().point[common.vertex[0]]));
+  // For p in the plane of a: height(a) - height(b) at x is d.(x - p) less the height of p in b.
+  const Solid& solid = geometry.solid();
+  const bool meet = common.count > 0;
+  const auto p = meet ? common.vertex[0] : solid.triangle[geometry.index().element(a)].vertex[0];
+  Ball h = dot(d, difference(range.center, solid.point[p]));
+  if (!meet) {
+    // Planes at an angle are told apart by bisecting, well above the error of their heights.
+    if (std::max({d[0].magnitude(), d[1].magnitude(), d[2].magnitude()}) > kNearlyParallel)
+      return 0;
+    h = h - context.height(p, b);
+  }
   const double s = spread(d, range);
   return h.low() > s ? 1 : h.high() < -s ? -1 : 0;
 }
@@ -238,7 +267,12 @@ void prune(const SiteGeometry& geometry, std::span<const SiteId> candidates, con
     }
     return f.value.low() > up(limit * limit);
   };
-  std::erase_if(out, too_far);
+  // What does not cover the range may have a carrier near by while the site itself is far: slivers
+  // above all, whose prism is too thin for its half-spaces to tell.
+  const auto site_too_far = [&](const LocalForm& f) {
+    return !f.covers && farther_than(geometry, f.site, range.center, limit);
+  };
+  std::erase_if(out, [&](const LocalForm& f) { return too_far(f) || site_too_far(f); });
   if (out.size() < 2) return;
 
   std::array<std::uint32_t, kReferences> reference{};

@@ -62,14 +62,15 @@ struct LocalForm {
 /// Is d_a^2 - d_b^2 > 0 (carriers) at every point of the range where a can govern? Requires, for
 /// the conclusion "a does not govern", that b.covers; without it only "a and b do not tie, b nearer
 /// by carrier".
-/// With a context, faces that meet in a vertex are compared there, to a small relative error
-/// however close their planes are.
+/// With a context, faces are also compared by heights_compared, and other sites more precisely
+/// where the error of the values decides.
 [[nodiscard]] bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a,
                                      const LocalForm& b, const Range& range,
                                      EngineContext* context = nullptr);
 
 /// Certain sign of height(a) - height(b), signed distances to the planes of two faces that meet in
-/// a vertex, over the whole range; 0: undecided, or the faces do not meet.
+/// a vertex or are nearly parallel, over the whole range, to a small relative error however close
+/// the planes are; 0: undecided, or faces of another kind.
 [[nodiscard]] int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& range);
 
 /// Does no point of the range have the vertex as foot, by its polar cone? True only if certain.

@@ -4,7 +4,9 @@
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
+#include "group_changes.hpp"
 #include "polar_cone.hpp"
+#include "slope.hpp"
 
 namespace blum {
 namespace {
@@ -17,6 +19,7 @@ constexpr std::uint32_t kMaxExactStretches = 24;  // of one segment, or of all c
 /// Bisections for all segments of one face: see kMaxBoxes of the face engine.
 constexpr std::uint32_t kMaxSteps = 500'000;
 constexpr int kSplitAttempts = 8;
+constexpr std::size_t kMaxGroups = 16;  // more: bisecting is cheaper
 
 Point3 at(const Segment& s, double t) { return point_on(s.axis, t, s.u, s.v); }
 
@@ -68,33 +71,11 @@ bool SegmentEngine::change_at_most_once(const Segment& line, const StretchEnd& a
                                         const StretchEnd& b, std::span<const LocalForm> forms,
                                         const Groups& groups, const Range& range,
                                         std::vector<Breakpoint>& out) {
-  if (groups.count > 2) return false;
-  if (groups.count == 2) {
-    // Theorem D on a line: one group gains on the other all along, so they change at most once.
-    Direction along, back;
-    along.w[line.axis] = Ball(1.0);
-    back.w[line.axis] = Ball(-1.0);
-    int direction = 0;
-    for (std::uint32_t i = 0; i < forms.size(); ++i) {
-      if (groups.of[i] != 0) continue;
-      for (std::uint32_t j = 0; j < forms.size(); ++j) {
-        const LocalForm &f = forms[i], &g = forms[j];
-        if (groups.of[j] != 1 || !may_tie(context_, f, g, range)) continue;
-        const PairSlope slope = pair_slope(context_, f, g);
-        int d = slope_upper(slope, f, g, range, along.w) < 0  ? 1
-                : slope_upper(slope, f, g, range, back.w) < 0 ? -1
-                                                              : 0;
-        if (d == 0 && !may_share_foot(context_, f.site, g.site, forms, range))
-          d = lies_ahead(context_, f.site, g.site, along, forms, range)  ? 1
-              : lies_ahead(context_, f.site, g.site, back, forms, range) ? -1
-                                                                         : 0;
-        if (d == 0 || d == -direction) return false;
-        direction = d;
-      }
-    }
-  }
   const auto ga = groups.find(forms, a.label), gb = groups.find(forms, b.label);
   BLUM_CHECK(ga < groups.count && gb < groups.count);
+  if (groups.count > kMaxGroups ||
+      !GroupChanges(context_, line.axis, forms, groups, range).direct(ga, gb))
+    return false;
   if (ga != gb) out.push_back(tie_between(a, b));
   return true;
 }

@@ -6,7 +6,7 @@
 
 #include "engine_context.hpp"
 #include "groups.hpp"
-#include "slope.hpp"
+#include "local_form.hpp"
 
 namespace blum {
 
@@ -40,7 +40,7 @@ class SegmentEngine {
   [[nodiscard]] std::optional<SiteId> governor(const Point3& x, std::span<const SiteId> candidates);
 
  private:
-  /// Two groups, one of which gains on the other all along; appends the tie, if there is one.
+  /// The governing group can change at most once (GroupChanges); appends the tie, if there is one.
   [[nodiscard]] bool change_at_most_once(const Segment& line, const StretchEnd& a,
                                          const StretchEnd& b, std::span<const LocalForm> forms,
                                          const Groups& groups, const Range& range,

@@ -6,8 +6,34 @@
 #include "groups.hpp"
 
 namespace blum {
+namespace {
 
-PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b) {
+/// Upper bound of slope . w over the range.
+double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+                   const Range& range, const BallVector& w) {
+  const Ball s = dot(slope.gradient, w);
+  double bound = s.high();
+  if (!slope.constant) {
+    for (int i = 0; i < 3; ++i) {
+      if (range.half[i] == 0) continue;
+      Ball row(0.0);
+      for (int j = 0; j < 3; ++j) {
+        if (w[j].mid == 0 && w[j].rad == 0) continue;
+        row = row + (a.matrix(i, j) - b.matrix(i, j)) * w[j];
+      }
+      bound += 2 * row.magnitude() * range.half[i] * Ball::kInflate;
+    }
+    bound += std::abs(bound) * 0x1p-48 + 0x1p-1000;
+    // The sum of up to four terms may cancel: charge the rounding of each partial sum.
+    bound += 0x1p-50 * std::abs(s.high());
+  }
+  return bound;
+}
+
+}  // namespace
+
+PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                     const Range& range) {
   PairSlope r;
   if (context.voronoi()) {
     const Touch& t = context.touch(a.site, b.site);
@@ -32,6 +58,7 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
   }
   // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
   for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
+  if (!context.voronoi()) r.fans = fans_at_ties(context, a, b, range);
   return r;
 }
 
@@ -51,25 +78,10 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
   return r;
 }
 
-double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                   const Range& range, const BallVector& w) {
-  const Ball s = dot(slope.gradient, w);
-  double bound = s.high();
-  if (!slope.constant) {
-    for (int i = 0; i < 3; ++i) {
-      if (range.half[i] == 0) continue;
-      Ball row(0.0);
-      for (int j = 0; j < 3; ++j) {
-        if (w[j].mid == 0 && w[j].rad == 0) continue;
-        row = row + (a.matrix(i, j) - b.matrix(i, j)) * w[j];
-      }
-      bound += 2 * row.magnitude() * range.half[i] * Ball::kInflate;
-    }
-    bound += std::abs(bound) * 0x1p-48 + 0x1p-1000;
-    // The sum of up to four terms may cancel: charge the rounding of each partial sum.
-    bound += 0x1p-50 * std::abs(s.high());
-  }
-  return bound;
+bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
+           const BallVector& w) {
+  return slope_upper(slope, a, b, range, w) < 0 ||
+         (!slope.constant && gains_by_fans(slope.fans, w));
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
@@ -86,8 +98,14 @@ bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, con
   // Distances of faces that both govern are their heights times the same sign.
   if (a.side != 0 && a.side == b.side && heights_compared(context, a.site, b.site, range) != 0)
     return false;
-  return !certainly_farther(context.geometry, a, b, range) &&
-         !certainly_farther(context.geometry, b, a, range);
+  return !certainly_farther(context.geometry, a, b, range, &context) &&
+         !certainly_farther(context.geometry, b, a, range, &context);
+}
+
+bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                     const Range& range) {
+  return !context.never_essential(a.site, b.site) && may_tie(context, a, b, range) &&
+         (context.voronoi() || fans_at_ties(context, a, b, range).tie);
 }
 
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {
@@ -99,6 +117,10 @@ int side(EngineContext& context, const Direction& direction, std::uint32_t v, st
   return dot(direction.w, difference(solid.point[p], solid.point[v])).sign();
 }
 
+namespace {
+
+/// Is (y - z) . w > 0 for all points y of a and z of b that are feet of points of the range? By the
+/// corners alone. Requires: they share no foot there.
 bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& direction,
                 std::span<const LocalForm> forms, const Range& range) {
   const SiteGeometry& geometry = context.geometry;
@@ -111,23 +133,35 @@ bool lies_ahead(EngineContext& context, SiteId a, SiteId b, const Direction& dir
         if (side(context, direction, cb[j], ca[i]) != 1) return false;
     return true;
   }
-  // A plane through a common corner v, which is no foot, parts them. A site may lie on it with v
-  // and with a boundary edge from there that holds no foot.
+  // A plane through a common corner v, which is no foot, parts them: one lies on its side and may
+  // touch it, the other strictly. A site is strictly on a side too if it meets the plane in v and
+  // in a boundary edge from there that holds no foot.
   const auto v = common.vertex[0];
-  const auto parted = [&](std::span<const std::uint32_t> corner, int sign) {
+  const auto parted = [&](std::span<const std::uint32_t> corner, int sign, bool strictly) {
     int on_plane = 0;
     for (const auto p : corner) {
       if (p == v) continue;
       const int s = side(context, direction, v, p);
-      if (s == sign) continue;
+      if (s == sign || (s == 0 && !strictly)) continue;
       if (s != 0 || ++on_plane > 1 || may_be_foot(context, p, forms, range) ||
           may_hold_foot(context, v, p, forms))
         return false;
     }
     return true;
   };
-  return parted({ca.data(), static_cast<std::size_t>(na)}, 1) &&
-         parted({cb.data(), static_cast<std::size_t>(nb)}, -1);
+  const std::span<const std::uint32_t> a_corner(ca.data(), static_cast<std::size_t>(na)),
+      b_corner(cb.data(), static_cast<std::size_t>(nb));
+  return (parted(a_corner, 1, true) && parted(b_corner, -1, false)) ||
+         (parted(a_corner, 1, false) && parted(b_corner, -1, true));
+}
+
+}  // namespace
+
+bool gains_by_feet(EngineContext& context, const PairSlope& slope, SiteId a, SiteId b,
+                   const Direction& direction, std::span<const LocalForm> forms,
+                   const Range& range) {
+  return lies_ahead(context, a, b, direction, forms, range) ||
+         (!slope.constant && gains_by_fan_ends(context, slope.fans, direction.w));
 }
 
 std::optional<std::vector<int>> sides_of(EngineContext& context, std::span<const LocalForm> forms,

@@ -8,17 +8,23 @@
 #include <vector>
 
 #include "engine_context.hpp"
+#include "fan.hpp"
 #include "local_form.hpp"
 
 namespace blum {
 
-/// Enclosure of the derivative of d_a - d_b, up to a positive factor, valid wherever in the range a
-/// and b tie.
+/// How d_a - d_b changes, wherever in the range a and b tie.
 struct PairSlope {
-  BallVector gradient;    ///< at the centre
+  BallVector gradient;    ///< enclosure up to a positive factor, at the centre
   bool constant = false;  ///< two faces, or sites that touch: the same everywhere
+  FanPair fans;           ///< if not constant; medial diagrams only
 };
-[[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b);
+[[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                                   const Range& range);
+
+/// Is the derivative along w negative wherever a and b tie? False: undecided.
+[[nodiscard]] bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
+                         const Range& range, const BallVector& w);
 
 /// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
 /// the projection along `axis` of the line from one point of the solid to another.
@@ -34,23 +40,25 @@ struct Direction {
 [[nodiscard]] Direction left_normal(const Solid& solid, int axis, std::uint32_t from,
                                     std::uint32_t to);
 
-/// Upper bound of slope . w over the range.
-[[nodiscard]] double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                                 const Range& range, const BallVector& w);
-
 /// May a and b tie somewhere in the range? False only if certain.
 [[nodiscard]] bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b,
                            const Range& range);
+
+/// The same for sites of different groups (Groups): those that never tie essentially would share
+/// their foot there (Lemma 1 of docs/proofs.md), and would be of one group.
+[[nodiscard]] bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                                   const Range& range);
 
 /// Certain sign of (p - v) . w for two points of the solid; 2: undecided.
 [[nodiscard]] int side(EngineContext& context, const Direction& direction, std::uint32_t v,
                        std::uint32_t p);
 
-/// Is (y - z) . w > 0 for all points y of a and z of b that are feet of points of the range? By the
-/// corners alone. Requires: the sites share no foot there (may_share_foot).
-[[nodiscard]] bool lies_ahead(EngineContext& context, SiteId a, SiteId b,
-                              const Direction& direction, std::span<const LocalForm> forms,
-                              const Range& range);
+/// Does a gain on b along the direction, by what the feet of points of the range can be: corners on
+/// two sides of a plane, or the ends of fans? False: undecided. Requires: the sites share no foot
+/// there (may_share_foot).
+[[nodiscard]] bool gains_by_feet(EngineContext& context, const PairSlope& slope, SiteId a, SiteId b,
+                                 const Direction& direction, std::span<const LocalForm> forms,
+                                 const Range& range);
 
 /// On which side of the plane through v, across the direction, each form's site lies: +1 ahead, -1
 /// behind, 0 if it is v. Nullopt if a site has possible feet on both sides, or on the plane outside

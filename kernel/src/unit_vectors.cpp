@@ -1,4 +1,5 @@
 #include <array>
+#include <limits>
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/predicates.hpp"
@@ -71,6 +72,8 @@ Ball to_ball(arb_srcptr x) {
 BallVector to_balls(const ArbVector& v) {
   return {to_ball(&v.x[0]), to_ball(&v.x[1]), to_ball(&v.x[2])};
 }
+
+bool relatively_small_error(const Ball& x) { return x.rad <= 1e-14 * std::abs(x.mid); }
 
 bool relatively_small_error(const BallVector& v) {
   double size = 0, error = 0;
@@ -149,6 +152,44 @@ BallVector Predicates::unit_difference(SiteId a, SiteId b) {
     if (relatively_small_error(r)) return r;
   }
   broken_invariant("normals neither equal nor separated", __FILE__, __LINE__);
+}
+
+Ball Predicates::height(std::uint32_t point, std::uint32_t t) {
+  const Solid& s = geometry_->solid();
+  const Point3 &p = s.point[point], &q = s.point[s.triangle[t].vertex[0]];
+  const Ball quick = dot(geometry_->unit(geometry_->index().face(t)), difference(p, q));
+  if (relatively_small_error(quick)) return quick;
+
+  // Zero is decided exactly first, so that the loop below ends.
+  if (plane_side(p, t) == 0) return Ball(0.0);
+  for (slong precision = 128; precision <= kMaxPrecision; precision *= 2) {
+    ArbVector n, d;
+    cross_of_edges(n, s, t, precision);
+    normalise(n, precision);
+    arb_t sum;
+    arb_init(sum);
+    for (int k = 0; k < 3; ++k) {
+      difference_of(&d.x[k], p[k], q[k], precision);
+      arb_addmul(sum, &n.x[k], &d.x[k], precision);
+    }
+    const bool finite = arb_is_finite(sum) != 0;
+    const Ball r = finite ? to_ball(sum) : Ball{};
+    arb_clear(sum);
+    if (finite && relatively_small_error(r)) return r;
+  }
+  broken_invariant("point neither on a plane nor beside it", __FILE__, __LINE__);
+}
+
+Ball Predicates::squared_difference(const Point3& x, SiteId a, SiteId b) {
+  using detail::Wide;
+  const auto fa = detail::expression::squared_distance<Wide>(*geometry_, a, x);
+  const auto fb = detail::expression::squared_distance<Wide>(*geometry_, b, x);
+  stages_.count(Stage::kExtended);
+  Wide r = fa.numerator * fb.denominator - fb.numerator * fa.denominator;
+  const Wide scale = fa.denominator * fb.denominator;
+  arb_div(r.get(), r.get(), scale.get(), Wide::kPrecision);
+  constexpr double kUnbounded = std::numeric_limits<double>::max();
+  return arb_is_finite(r.get()) != 0 ? to_ball(r.get()) : Ball(0.0, kUnbounded);
 }
 
 }  // namespace blum

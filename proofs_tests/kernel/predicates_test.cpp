@@ -508,6 +508,53 @@ TEST(Predicates, UnitDifference_EnclosesTheDifferenceWithSmallError) {
   EXPECT_GT(near, 2);
 }
 
+TEST(Predicates, Height_EnclosesTheExactOneHoweverNearThePlane) {
+  int near = 0, on_plane = 0;
+  for (const PolygonMesh& mesh : meshes()) {
+    const Truth truth(mesh);
+    Predicates p(truth.geometry);
+    for (std::uint32_t t = 0; t < truth.solid.triangle.size(); ++t)
+      for (std::uint32_t v = 0; v < truth.solid.point.size(); ++v) {
+        const Ball height = p.height(v, t);
+        const Vector n = truth.normal(t);
+        const Q product = dot(n, truth.point(v) - truth.point(truth.solid.triangle[t].vertex[0]));
+        const mpf_class exact = mpf_class(product, 600) / sqrt(mpf_class(dot(n, n), 600));
+        EXPECT_TRUE(abs(exact - mpf_class(height.mid, 600)) <= mpf_class(height.rad, 600) + 1e-150);
+        on_plane += product == 0;
+        if (product == 0)
+          EXPECT_TRUE(height.mid == 0 && height.rad == 0);
+        else
+          EXPECT_LE(height.rad, 1e-9 * std::abs(height.mid));
+        near += product != 0 && abs(exact) < 1e-12;
+      }
+  }
+  EXPECT_GT(on_plane, 20);
+  EXPECT_GT(near, 2);
+}
+
+TEST(Predicates, SquaredDifference_EnclosesTheExactOneToManyDigits) {
+  Random random(17);
+  int near = 0;
+  for (const PolygonMesh& mesh : meshes()) {
+    const Truth truth(mesh);
+    Predicates p(truth.geometry);
+    const auto candidates = truth.geometry.candidates();
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    for (int k = 0; k < 40; ++k) {
+      const Point3 x{coordinate(random), coordinate(random), coordinate(random)};
+      const SiteId a = candidates[random() % candidates.size()],
+                   b = candidates[random() % candidates.size()];
+      const Vector y = exact(x);
+      const Q truly = truth.carrier(y, a) - truth.carrier(y, b);
+      const Ball d = p.squared_difference(x, a, b);
+      EXPECT_TRUE(abs(truly - Q(d.mid)) <= Q(d.rad));
+      EXPECT_LE(d.rad, 1e-15 * std::abs(d.mid) + 1e-25);
+      near += truly != 0 && abs(truly) < Q(1e-12);
+    }
+  }
+  EXPECT_GT(near, 0);
+}
+
 TEST(Predicates, Ties_ReachTheExactStageAndTheirNeighboursDoNot) {
   const Truth truth(shapes::rotate_rounded(shapes::cuboid(4, 3, 2), 7));
   const Truth square(shapes::cuboid(4, 2, 2));

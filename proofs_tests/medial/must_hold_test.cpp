@@ -198,10 +198,8 @@ INSTANTIATE_TEST_SUITE_P(SweepMore, RoundedFacets, testing::ValuesIn(more_solids
 INSTANTIATE_TEST_SUITE_P(DISABLED_SweepPlates, RoundedFacets, testing::ValuesIn(plates()),
                          entry_name);
 
-// Over a hundred cells reach the depth limit at one point 0.0046 above vertex 134, on the ray of
-// points whose foot it is: a fan of 12 faces there is planar to 1e-14, with 5 slightly reflex
-// edges.
-TEST(DISABLED_SweepJoint, Turned_IsCertified) {
+// Sheets of faces coplanar to 1e-14 meet within 1e-16 of the ray of points whose foot is vertex 134.
+TEST(SweepJoint, Turned_IsCertified) {
   std::vector<Change> turns;
   for (std::uint64_t k = 1; k <= 5; ++k) turns.push_back(test::turned(k));
   expect_certified(model("joint", {1, 2, 0}), turns, {1, 2, 3, 4, 5});
@@ -242,6 +240,15 @@ TEST(MustHoldSample, ModelsWithVoidsTurned_AreCertified) {
 
 TEST(MustHoldSample, Joint_IsCertified) {
   expect_certified(model("joint", {1, 2, 0}), {test::as_it_is()}, {1, 2, 3});
+}
+
+TEST(MustHoldSample, NearlyCoplanarFaces_AreCertified) {
+  expect_certified(model("joint", {1, 2, 0}), {test::turned(4)}, {1});
+}
+
+// Facets with holes get triangles 1e-16 wide between faces that do not meet.
+TEST(MustHoldSample, PlateTurnedExactly_IsCertified) {
+  expect_certified(plate(3), {test::turned_and_rounded({1, 2, 3, 4})}, {1});
 }
 
 }  // namespace

@@ -63,8 +63,8 @@ class Predicates {
   /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
   [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
 
-  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone is
-  /// a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
+  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone
+  /// is a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
   [[nodiscard]] bool axis_connected_at(std::uint32_t vertex) const;
 
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
@@ -88,6 +88,14 @@ class Predicates {
   /// Enclosure of unit(a) - unit(b) for two faces, with small *relative* error however close the
   /// normals are; all components zero iff the normals are equal.
   [[nodiscard]] BallVector unit_difference(SiteId face_a, SiteId face_b);
+
+  /// Enclosure of the signed distance of a point of the solid to the plane of a triangle (negative
+  /// on the solid's side), with small *relative* error; zero iff it is.
+  [[nodiscard]] Ball height(std::uint32_t point, std::uint32_t triangle);
+
+  /// Enclosure of d_a(x)^2 - d_b(x)^2 for the carriers, from 128-bit arithmetic: for a and b that
+  /// balls in double do not tell apart.
+  [[nodiscard]] Ball squared_difference(const Point3& x, SiteId a, SiteId b);
 
  private:
   [[nodiscard]] bool behind(SiteId site, SiteId other);
