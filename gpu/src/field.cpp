@@ -71,9 +71,9 @@ Point3 foot_at(const SiteSet& sites, const DistanceField& field, std::size_t vox
 
 std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
                                  const FieldOptions& options) {
-  // Per voxel an id and a distance. Per site a record, its conditions, its place in the lists of
-  // the tasks (which overlap by about a half) and in the tables that the records are made from.
-  const std::uint64_t per_site = options.backend == FieldBackend::kBrute ? 16 : 400;
+  // Per voxel an id and a distance. Per site, measured: its record and conditions (twice while they
+  // are sorted), the tables that they are made from, its places in the lists of the tasks.
+  const std::uint64_t per_site = options.backend == FieldBackend::kBrute ? 16 : 1000;
   return 12 * grid.voxels() + per_site * sites.size();
 }
 

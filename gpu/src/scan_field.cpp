@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "block_cull.hpp"
 #include "blum/kernel/parallel.hpp"
@@ -14,8 +15,15 @@ namespace {
 
 struct Task {
   CullNode node;
-  std::vector<Sphere> list;
+  std::vector<std::uint32_t> list;  // places in ScanSites; lists of many tasks exist at once
 };
+
+std::vector<Sphere> spheres_of(const ScanSites& sites, const std::vector<std::uint32_t>& list) {
+  std::vector<Sphere> spheres;
+  spheres.reserve(list.size());
+  for (const std::uint32_t s : list) spheres.push_back(sites.sphere[s]);
+  return spheres;
+}
 
 /// One thread's work on one task: down to blocks, depth first.
 class Descent {
@@ -23,7 +31,7 @@ class Descent {
   Descent(const ScanSites& sites, const BlockCull& cull, bool culls, DistanceField& field)
       : sites_(sites), cull_(cull), culls_(culls), field_(field) {}
 
-  void go(const Task& task) { descend(task.node, task.list, 0); }
+  void go(const Task& task) { descend(task.node, spheres_of(sites_, task.list), 0); }
   [[nodiscard]] const FieldStatistics& statistics() const { return statistics_; }
 
  private:
@@ -102,7 +110,8 @@ std::vector<Task> make_tasks(const ScanSites& sites, const BlockCull& cull,
   constexpr std::size_t kTasks = 256;
   std::vector<Task> tasks(1);
   tasks[0].node = cull.root();
-  tasks[0].list = sites.sphere;
+  tasks[0].list.resize(sites.site.size());
+  std::iota(tasks[0].list.begin(), tasks[0].list.end(), 0u);
   while (tasks.size() < kTasks) {
     std::vector<Task> next;
     std::vector<std::size_t> parent;
@@ -118,7 +127,9 @@ std::vector<Task> make_tasks(const ScanSites& sites, const BlockCull& cull,
     for_each_in_parallel(options.threads, next.size(), [&](int, std::size_t k) {
       if (options.culling.blocks) {
         std::vector<double> scratch;
-        cull.filter(next[k].node, tasks[parent[k]].list, next[k].list, scratch);
+        std::vector<Sphere> kept;
+        cull.filter(next[k].node, spheres_of(sites, tasks[parent[k]].list), kept, scratch);
+        for (const Sphere& s : kept) next[k].list.push_back(s.site);
       } else {
         next[k].list = tasks[parent[k]].list;
       }
