@@ -59,12 +59,13 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
 
 Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
                                          const AngleOptions& angles) {
-  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
-      !(options.max_leaf_diameter >= 0))
-    return Error{ErrorCode::kBadArgument,
-                 "max_depth, threads, time_limit_s, max_leaf_diameter or tolerance_deg out of range",
-                 "",
-                 {}};
+  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 ||
+      !(options.time_limit_s >= 0) || !(options.max_leaf_diameter >= 0))
+    return Error{
+        ErrorCode::kBadArgument,
+        "max_depth, threads, time_limit_s, max_leaf_diameter or tolerance_deg out of range",
+        "",
+        {}};
   MedialResult result;
   result.solid_betti = solid.betti();
   result.seed = options.seed;
@@ -97,8 +98,8 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
   result.time.assemble_s = seconds_since(middle);
   if (angles.wanted) {
     const auto late = std::chrono::steady_clock::now();
-    result.angles = part_angles(geometry, subdivided.value(), engines, result.complex,
-                                result.parts, angles);
+    result.angles =
+        part_angles(geometry, subdivided.value(), engines, result.complex, result.parts, angles);
     result.filtration = filter(result.complex, result.parts,
                                cell_costs(result.complex, result.parts, *result.angles));
     result.time.angles_s = seconds_since(late);
