@@ -68,9 +68,10 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
   using Kind = AngleRole::Kind;
   const Represented represented(leaf);
   if (role.kind == Kind::kArc && (!(present & role.a) || !(present & role.b))) return {};
-  const bool many = role.kind == Kind::kRest
-                        ? !represented.triples(present)
-                        : role.kind == Kind::kSeam && (!role.distinct || std::popcount(present & role.a) >= 3);
+  const bool many =
+      role.kind == Kind::kRest
+          ? !represented.triples(present)
+          : role.kind == Kind::kSeam && (!role.distinct || std::popcount(present & role.a) >= 3);
   // A pair counts not at all, with others, or by itself. Two feet of a point between two groups may
   // be in one of them, but it has a foot in either.
   enum Count { kNot, kBeside, kItself };

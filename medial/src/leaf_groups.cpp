@@ -236,7 +236,9 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
       reader.add_triangle(complex.triangle[t], parts.triangle_sheet[t], leaf);
     reader.add_seams(triangles[c], leaf);
     const auto part = reader.vertex.part[cone.apex];
-    if (!leaf.conical && part != VertexParts::kNone) leaf.rest.push_back(part);
+    // Nodes have the highest numbers, sheets the lowest.
+    if (!leaf.conical && part != VertexParts::kNone && (leaf.rest == kNone || part > leaf.rest))
+      leaf.rest = part;
   }
   return list;
 }

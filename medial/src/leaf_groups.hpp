@@ -64,9 +64,11 @@ struct LeafParts {
   };
   std::vector<Arc> arc;
   std::vector<Seam> seam;
-  std::vector<std::uint32_t> rest;  ///< parts that the apexes belong to
-  bool junction = false;            ///< one cone, of the shape of a junction
-  bool conical = false;             ///< everything is told by the leaf's faces
+  /// The part that counts what no sheet and no seam does: one that an apex belongs to, a node if
+  /// there is one, else a seam, else a sheet.
+  std::uint32_t rest = 0xffffffffu;
+  bool junction = false;  ///< one cone, of the shape of a junction
+  bool conical = false;   ///< everything is told by the leaf's faces
 };
 
 /// Part that each vertex of K belongs to, and whether it is a part of its own.

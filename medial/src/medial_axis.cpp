@@ -86,12 +86,14 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
 
 Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
                              const AngleOptions& angles, DiagramKind kind) {
-  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
-      !(options.max_leaf_diameter >= 0) || (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
-    return Error{ErrorCode::kBadArgument,
-                 "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out of range",
-                 "",
-                 {}};
+  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 ||
+      !(options.time_limit_s >= 0) || !(options.max_leaf_diameter >= 0) ||
+      (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
+    return Error{
+        ErrorCode::kBadArgument,
+        "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out of range",
+        "",
+        {}};
   if (options.engine == Engine::kCgal && !find_cgal_helper()) {
     return Error{ErrorCode::kBadArgument,
                  "no blum-cgal-engine: this Blum was built without BLUM_CGAL_ORACLES",
@@ -139,8 +141,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.time.assemble_s = seconds_since(middle);
   if (angles.wanted) {
     const auto late = std::chrono::steady_clock::now();
-    result.angles = part_angles(geometry, subdivided.value(), engines, result.complex,
-                                result.parts, angles);
+    result.angles =
+        part_angles(geometry, subdivided.value(), engines, result.complex, result.parts, angles);
     result.filtration = filter(result.complex, result.parts,
                                cell_costs(result.complex, result.parts, *result.angles));
     result.time.angles_s = seconds_since(late);

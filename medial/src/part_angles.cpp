@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "angle_plan.hpp"
 #include "angle_witness.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/parallel.hpp"
@@ -22,27 +23,13 @@ constexpr double kDegrees = 180 / kPi;
 constexpr double kSmallest = 1e-9;
 constexpr int kJunctionRounds = 16;  // bisections along each axis
 constexpr std::size_t kMostJunctionBoxes = 256;
-constexpr int kStarts = 24;    // vertices of K where a witness is looked for
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
-
-struct Task {
-  std::uint32_t leaf = 0;  // index into the list of LeafParts
-  AngleRole role;
-};
 
 struct Item {
   AngleBound bound;
   std::uint32_t task = 0;
   AngleBox box;
   friend bool operator<(const Item& a, const Item& b) { return a.bound.hi < b.bound.hi; }
-};
-
-/// Where to look for a witness: near a point of K on the part.
-struct Start {
-  std::uint32_t task = 0;
-  Point3 x;
-  double reach = 0;  // seams are looked for in a box of this half width
-  SiteId a{}, b{};   // sheets: one governor on each side
 };
 
 /// What one thread works with.
@@ -55,7 +42,7 @@ struct Tools {
 class PartBound {
  public:
   PartBound(const SiteGeometry& geometry, const Subdivision& subdivision,
-            const std::vector<LeafParts>& leaves, const std::vector<Task>& tasks,
+            const std::vector<LeafParts>& leaves, const std::vector<AngleTask>& tasks,
             const AngleOptions& options, const std::atomic<bool>& stop, Tools& tools)
       : geometry_(geometry),
         subdivision_(subdivision),
@@ -67,7 +54,7 @@ class PartBound {
         tools_(tools) {}
 
   /// Starts: where witnesses are looked for first.
-  [[nodiscard]] AngleInterval run(const std::vector<Start>& starts);
+  [[nodiscard]] AngleInterval run(const std::vector<AngleStart>& starts);
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
 
  private:
@@ -80,7 +67,7 @@ class PartBound {
   const SiteGeometry& geometry_;
   const Subdivision& subdivision_;
   const std::vector<LeafParts>& leaves_;
-  const std::vector<Task>& tasks_;
+  const std::vector<AngleTask>& tasks_;
   const double tolerance_;
   const std::size_t budget_;
   const std::atomic<bool>& stop_;
@@ -98,7 +85,7 @@ void PartBound::add(std::uint32_t task, Box3 box, const std::vector<SiteId>& can
   item.task = task;
   item.box.box = box;
   if (!stop_) item.box.candidates = tools_.engine.prune(candidates, box.lo, box.hi);
-  const Task& t = tasks_[task];
+  const AngleTask& t = tasks_[task];
   item.bound = stop_ ? AngleBound{kPi, {}, {}}
                      : bound_in_box(geometry_, tools_.pairs, leaves_[t.leaf], t.role, item.box);
   if (!(item.bound.hi > lo_)) return;
@@ -178,7 +165,7 @@ void PartBound::divide(const Item& item) {
 
 void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& search,
                      const AngleBound& top) {
-  const Task& t = tasks_[task];
+  const AngleTask& t = tasks_[task];
   std::optional<double> found;
   if (t.role.kind == AngleRole::Kind::kArc)
     found =
@@ -230,12 +217,12 @@ void PartBound::find_junction() {
   }
 }
 
-AngleInterval PartBound::run(const std::vector<Start>& starts) {
+AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
   for (std::uint32_t t = 0; t < tasks_.size(); ++t) add_root(t);
   const auto top = [&] { return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_); };
-  for (const Start& s : starts) {
+  for (const AngleStart& s : starts) {
     if (top() <= lo_ + tolerance_ || stop_) break;
-    const Task& t = tasks_[s.task];
+    const AngleTask& t = tasks_[s.task];
     const Leaf& leaf = subdivision_.leaf[leaves_[t.leaf].leaf];
     Box3 search = leaf.box;
     for (int k = 0; k < 3; ++k) {
@@ -260,77 +247,6 @@ AngleInterval PartBound::run(const std::vector<Start>& starts) {
   return {std::max(0.0, lo_ * kDegrees - 1e-12), std::min(180.0, hi * kDegrees + 1e-12)};
 }
 
-/// Which tasks each part has, and where witnesses may be found.
-struct Plan {
-  std::vector<std::vector<Task>> tasks;  // by part
-  std::vector<std::vector<Start>> starts;
-};
-
-Plan plan_of(const Solid& solid, const std::vector<LeafParts>& leaves, const CellComplex& complex,
-             const Parts& parts, const PartNumbers& number) {
-  Plan plan;
-  plan.tasks.resize(number.count());
-  plan.starts.resize(number.count());
-  std::vector<std::uint32_t> list_of;  // leaf -> index in `leaves`
-  for (std::uint32_t l = 0; l < leaves.size(); ++l) {
-    const LeafParts& leaf = leaves[l];
-    if (leaf.leaf >= list_of.size()) list_of.resize(leaf.leaf + 1, 0);
-    list_of[leaf.leaf] = l;
-    for (const auto& a : leaf.arc)
-      plan.tasks[a.sheet].push_back({l, {AngleRole::Kind::kArc, a.a, a.b}});
-    for (const auto& s : leaf.seam)
-      plan.tasks[number.seam(s.seam)].push_back({l, {AngleRole::Kind::kSeam, s.groups, 0, s.distinct()}});
-    for (const auto p : leaf.rest) plan.tasks[p].push_back({l, {AngleRole::Kind::kRest, 0, 0}});
-  }
-  const auto to_working = [&](const Point3& p) {
-    Point3 x;
-    for (int k = 0; k < 3; ++k)
-      x[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
-    return x;
-  };
-  const auto offer = [&](std::uint32_t part, Start start, std::uint32_t leaf) {
-    auto& starts = plan.starts[part];
-    if (starts.size() >= 8 * kStarts) return;
-    const auto& tasks = plan.tasks[part];
-    for (start.task = 0; start.task < tasks.size(); ++start.task)
-      if (tasks[start.task].leaf == leaf && tasks[start.task].role.kind != AngleRole::Kind::kRest) {
-        starts.push_back(start);
-        return;
-      }
-  };
-  const auto between = [](const Point3& p, const Point3& q, double s) {
-    return Point3{p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z)};
-  };
-  for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
-    const ComplexTriangle& triangle = complex.triangle[t];
-    const auto l = list_of[complex.cone[triangle.cone].leaf];
-    const Point3 apex = to_working(complex.vertex[complex.cone[triangle.cone].apex].position);
-    const auto& base = complex.edge[triangle.edge[0]].vertex;
-    const std::array<Point3, 2> end{to_working(complex.vertex[base[0]].position),
-                                    to_working(complex.vertex[base[1]].position)};
-    for (const double along : {0.5, 0.1, 0.9})
-      for (const double up : {0.0, 0.3})
-        offer(parts.triangle_sheet[t],
-              {0, between(between(end[0], end[1], along), apex, up), 0, triangle.governors[0],
-               triangle.governors[1]},
-              l);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto seam = parts.edge_seam[triangle.edge[1 + k]];
-      if (seam == Parts::kNoSeam) continue;
-      const double length = std::hypot(apex.x - end[k].x, apex.y - end[k].y, apex.z - end[k].z);
-      for (const auto& [up, reach] : {std::pair{0.0, 0.0}, {0.15, 0.1}, {0.5, 0.3}})
-        offer(number.seam(seam), {0, between(end[k], apex, up), reach * length, {}, {}}, l);
-    }
-  }
-  for (auto& starts : plan.starts) {
-    std::vector<Start> some;
-    const std::size_t step = std::max<std::size_t>(1, starts.size() / kStarts);
-    for (std::size_t k = 0; k < starts.size(); k += step) some.push_back(starts[k]);
-    starts = std::move(some);
-  }
-  return plan;
-}
-
 }  // namespace
 
 PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
@@ -339,7 +255,7 @@ PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivis
   const PartNumbers number = part_numbers(complex, parts);
   const VertexParts vertex = vertex_parts(complex, parts);
   const auto leaves = leaf_parts(geometry, subdivision, complex, parts);
-  const Plan plan = plan_of(geometry.solid(), leaves, complex, parts, number);
+  const AnglePlan plan = angle_plan(geometry.solid(), leaves, complex, parts, number);
 
   std::vector<AngleInterval> interval(number.count(), {0, 0});
   std::vector<std::size_t> boxes(number.count(), 0);

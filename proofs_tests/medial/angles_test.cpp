@@ -91,8 +91,8 @@ double angle_at(const Solid& solid, const std::vector<Point3>& points, const Poi
 
 std::vector<test::Scene> angle_scenes() {
   std::vector<test::Scene> list;
-  const std::set<std::string> slow{"torus_8_4", "voids_2", "star_void_4", "plate_2", "plate_1",
-                                   "rotated_plate", "lpocket"};
+  const std::set<std::string> slow{"torus_8_4", "voids_2",       "star_void_4", "plate_2",
+                                   "plate_1",   "rotated_plate", "lpocket"};
   for (auto& s : test::scenes())
     if (!slow.contains(s.name)) list.push_back(std::move(s));
   return list;
