@@ -1,5 +1,7 @@
-// Whole runs: torus 8x4, 16x8, 32x16 and a few CAD shapes, with time by phase, decisions by stage,
-// leaves and peak memory as counters. `compare.py --growth RUN.json` fits the exponent of growth.
+// Whole runs: torus 8x4, 16x8, 32x16 and a few CAD shapes, medial; and, in both modes on two
+// threads, models with the counts of the thesis' spoon (1.7 s there) and chisel (130.3 s, 2006);
+// with time by phase, decisions by stage, leaves and peak memory as counters. `compare.py --growth
+// RUN.json` fits the exponent of growth.
 //
 // One iteration each: a run is long and deterministic. Peak memory is that of the process so far,
 // so it means something for the first and for the largest run, or with --benchmark_filter.
@@ -8,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "blum/kernel/shapes.hpp"
 #include "blum/medial/medial_axis.hpp"
@@ -17,7 +20,8 @@ namespace {
 
 constexpr double kTimeLimit_s = 900;
 
-void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& make) {
+void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make,
+         blum::DiagramKind kind, int threads) {
   const blum::Result<blum::Solid> solid = blum::build_solid(make());
   if (!solid) {
     state.SkipWithError(solid.error().message.c_str());
@@ -25,9 +29,11 @@ void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& m
   }
   blum::MedialOptions options;
   options.time_limit_s = kTimeLimit_s;
+  options.threads = threads;
   for (auto _ : state) {
     const blum::Result<blum::MedialResult> result =
-        blum::compute_medial_axis(solid.value(), options);
+        kind == blum::DiagramKind::kMedial ? blum::compute_medial_axis(solid.value(), options)
+                                           : blum::compute_voronoi_diagram(solid.value(), options);
     if (!result) {
       state.SkipWithError(result.error().message.c_str());
       return;
@@ -51,8 +57,9 @@ void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& m
   }
 }
 
-void add(const std::string& name, std::function<blum::PolygonMesh()> make) {
-  benchmark::RegisterBenchmark(name.c_str(), medial, std::move(make))
+void add(const std::string& name, std::function<blum::PolygonMesh()> make,
+         blum::DiagramKind kind = blum::DiagramKind::kMedial, int threads = 1) {
+  benchmark::RegisterBenchmark(name.c_str(), run, std::move(make), kind, threads)
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
 }
@@ -66,6 +73,13 @@ const bool kRegistered = [] {
   for (const int n : {8, 16, 32}) {
     add("medial/torus/" + std::to_string(n) + "x" + std::to_string(n / 2),
         [n] { return torus(n, n / 2, 2, 0.75); });
+  }
+  for (const auto& [mode, kind] : {std::pair{"medial/", blum::DiagramKind::kMedial},
+                                   std::pair{"voronoi/", blum::DiagramKind::kVoronoi}}) {
+    add(
+        std::string(mode) + "spoon/2_threads", [] { return spoon(); }, kind, 2);
+    add(
+        std::string(mode) + "chisel/2_threads", [] { return chisel(); }, kind, 2);
   }
   return true;
 }();

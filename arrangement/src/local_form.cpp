@@ -15,7 +15,8 @@ double up(double x) { return x * (1 + 0x1p-50) + 0x1p-1000; }
 constexpr std::size_t kReferences = 6;
 constexpr std::size_t kMeanReferences = 3;
 
-/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their sides?
+/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their
+/// sides?
 bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& r,
                        const LocalForm& s, const Range& range) {
   const Ball half(0.5);

@@ -37,7 +37,8 @@ std::vector<Scene> scenes() {
 
 /// A rectangle about a point near the boundary or in the box around the solid.
 Rect random_rect(Random& random, const Scene& scene) {
-  const double size = scene.extent() * std::exp(test::uniform(random, std::log(0.02), std::log(0.6)));
+  const double size =
+      scene.extent() * std::exp(test::uniform(random, std::log(0.02), std::log(0.6)));
   Point3 c;
   for (int k = 0; k < 3; ++k) {
     const double margin = 0.3 * (scene.bounds.hi[k] - scene.bounds.lo[k]);
@@ -91,8 +92,8 @@ void compare(const Scene& scene, const Rect& r, bool wide, std::size_t most, Tal
 }
 
 void print(const Tally& t) {
-  std::cout << t.problems << " problems, " << t.same << " same, " << t.both_bad
-            << " bad for both, " << t.gives_up << " undecided by production alone, " << t.brute_bad
+  std::cout << t.problems << " problems, " << t.same << " same, " << t.both_bad << " bad for both, "
+            << t.gives_up << " undecided by production alone, " << t.brute_bad
             << " bad for brute alone, " << t.skipped << " skipped, " << t.events << " events\n";
 }
 

@@ -147,12 +147,12 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   double diameter = 0;
   for (int k = 0; k < 3; ++k) diameter = std::max(diameter, cell.box.hi[k] - cell.box.lo[k]);
   const bool resolve = options_.resolve && diameter > kResolveFraction * work_.root_diameter;
-  const CellAnswer a =
-      medial_ ? test_cell(
-                    geometry_, cell.box, cell.candidates, cell.triangles, cell.face,
-                    [this](std::uint32_t v) { return connected_at(v); }, resolve)
-              : test_voronoi_cell(geometry_, cell.box, cell.candidates, cell.face,
-                                  options_.criterion, resolve);
+  const CellAnswer a = medial_
+                           ? test_cell(
+                                 geometry_, cell.box, cell.candidates, cell.triangles, cell.face,
+                                 [this](std::uint32_t v) { return connected_at(v); }, resolve)
+                           : test_voronoi_cell(geometry_, cell.box, cell.candidates, cell.face,
+                                               options_.criterion, resolve);
   leaf.theorem = !medial_    ? LeafTheorem::kVoronoi
                  : a.conical ? LeafTheorem::kConical
                              : LeafTheorem::kBoundary;

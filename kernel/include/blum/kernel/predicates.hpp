@@ -63,8 +63,8 @@ class Predicates {
   /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
   [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
 
-  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone is
-  /// a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
+  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone
+  /// is a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
   [[nodiscard]] bool axis_connected_at(std::uint32_t vertex) const;
 
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line

@@ -37,7 +37,9 @@ struct SummaryInput {
 /// solid was flattened there is "coplanar": {"tolerance","vertices_moved","largest_displacement",
 /// "slivers_dropped","flat_edges_before","flat_edges_after","nearly_flat_edges_before",
 /// "nearly_flat_edges_left"}; "solid" and all that follows are then about the changed solid.
-/// Numbers that are not finite become null. Requires solid and result.
+/// Only in Voronoi mode there is "voronoi": {"regions","pieces_euler","euler","criterion","margin",
+/// "side"} (VoronoiCheck); pieces_euler is null if the sides of the box are not decided, euler if
+/// cells are not. Numbers that are not finite become null. Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
 /// The same for people: lines, each ended by a line break.
