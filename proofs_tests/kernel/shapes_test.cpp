@@ -1,6 +1,7 @@
 // Every generated shape is a valid solid with the stated topology, and the changes of a mesh leave
 // the solid as it is.
 #include "blum/kernel/shapes.hpp"
+#include "blum/kernel/site.hpp"
 
 #include <gtest/gtest.h>
 
