@@ -5,7 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "arrangement/face_scenes.hpp"
+#include "arrangement/cube_minus_octant.hpp"
+#include "blum/kernel/shapes.hpp"
 #include "blum/medial/graph.hpp"
 #include "blum/medial/medial_axis.hpp"
 #include "blum/medial/summary.hpp"
