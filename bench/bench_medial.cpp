@@ -1,6 +1,7 @@
-// Whole runs: torus 8x4, 16x8, 32x16, 64x32 and a few CAD shapes, with sites, time by phase,
-// decisions by stage, leaves and peak memory as counters. `compare.py --growth RUN.json` fits the
-// exponents of growth in sites.
+// Whole runs: torus 8x4, 16x8, 32x16, 64x32 and a few CAD shapes, medial; and, in both modes on two
+// threads, models with the counts of the thesis' spoon (1.7 s there) and chisel (130.3 s, 2006);
+// with sites, time by phase, decisions by stage, leaves and peak memory as counters. `compare.py
+// --growth RUN.json` fits the exponents of growth in sites.
 //
 // One iteration each: a run is long and deterministic. One thread, so that the processor time
 // compares on a busy machine too. The kernel's mark of peak memory is put back before each run.
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "blum/kernel/shapes.hpp"
 #include "blum/kernel/site.hpp"
@@ -31,7 +33,8 @@ double peak_bytes() {
   return 0;
 }
 
-void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& make) {
+void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make,
+         blum::DiagramKind kind, int threads) {
   const blum::Result<blum::Solid> solid = blum::build_solid(make());
   if (!solid) {
     state.SkipWithError(solid.error().message.c_str());
@@ -41,9 +44,11 @@ void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& m
   blum::MedialOptions options;
   options.time_limit_s = kTimeLimit_s;
   reset_peak();
+  options.threads = threads;
   for (auto _ : state) {
     const blum::Result<blum::MedialResult> result =
-        blum::compute_medial_axis(solid.value(), options);
+        kind == blum::DiagramKind::kMedial ? blum::compute_medial_axis(solid.value(), options)
+                                           : blum::compute_voronoi_diagram(solid.value(), options);
     if (!result) {
       state.SkipWithError(result.error().message.c_str());
       return;
@@ -68,8 +73,9 @@ void medial(benchmark::State& state, const std::function<blum::PolygonMesh()>& m
   }
 }
 
-void add(const std::string& name, std::function<blum::PolygonMesh()> make) {
-  benchmark::RegisterBenchmark(name.c_str(), medial, std::move(make))
+void add(const std::string& name, std::function<blum::PolygonMesh()> make,
+         blum::DiagramKind kind = blum::DiagramKind::kMedial, int threads = 1) {
+  benchmark::RegisterBenchmark(name.c_str(), run, std::move(make), kind, threads)
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
 }
@@ -83,6 +89,13 @@ const bool kRegistered = [] {
   for (const int n : {8, 16, 32, 64}) {
     add("medial/torus/" + std::to_string(n) + "x" + std::to_string(n / 2),
         [n] { return torus(n, n / 2, 2, 0.75); });
+  }
+  for (const auto& [mode, kind] : {std::pair{"medial/", blum::DiagramKind::kMedial},
+                                   std::pair{"voronoi/", blum::DiagramKind::kVoronoi}}) {
+    add(
+        std::string(mode) + "spoon/2_threads", [] { return spoon(); }, kind, 2);
+    add(
+        std::string(mode) + "chisel/2_threads", [] { return chisel(); }, kind, 2);
   }
   return true;
 }();

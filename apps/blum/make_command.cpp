@@ -72,7 +72,7 @@ const std::vector<Shape>& all_shapes() {
        {{"n", 8, true, 3}, {"m", 4, true, 3}, {"R", 2}, {"r", 0.75}},
        [](P p, Move) { return shapes::planar_torus(whole(p[0]), whole(p[1]), p[2], p[3]); }},
       {"spoon",
-       "spoon of 84 triangles, 44 vertices; none of its 254 features is degenerate",
+       "spoon of 84 triangles, 126 edges, 44 vertices, none of them degenerate",
        {},
        [](P, Move) { return shapes::spoon(); }},
       {"chisel",
@@ -143,7 +143,8 @@ Result<std::vector<double>> complete(const Shape& shape, const std::vector<doubl
 /// Conditions between parameters that the generators require.
 std::optional<std::string> conflict(const std::string& shape, const std::vector<double>& p) {
   if (shape == "lbracket" && !(p[2] < std::min(p[0], p[1]))) return "t must be less than a and b";
-  if ((shape == "torus" || shape == "planar_torus") && !(p[2] > p[3])) return "R must be greater than r";
+  if ((shape == "torus" || shape == "planar_torus") && !(p[2] > p[3]))
+    return "R must be greater than r";
   if (shape == "knot" && !(p[4] > p[5])) return "R must be greater than r";
   if (shape == "knot" && std::gcd(whole(p[0]), whole(p[1])) != 1) return "p and q must be coprime";
   return std::nullopt;

@@ -15,6 +15,7 @@
 #include "blum/kernel/mesh.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/kernel/validate.hpp"
+#include "blum/medial/graph.hpp"
 #include "blum/medial/io.hpp"
 #include "blum/medial/medial_axis.hpp"
 #include "blum/medial/simplify.hpp"
@@ -31,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct MedialArguments {
-  std::string model, prefix, summary, flattened;
+  std::string model, prefix, summary, flattened, graph;
   double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
   std::uint64_t max_memory_mib = 0;            // 0: no limit
   std::optional<double> theta;                 // degrees
@@ -83,7 +84,8 @@ constexpr const char* kUndecidedSuffix = ".undecided.vtp";
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
-  for (const std::string& name : {arguments.summary, arguments.flattened, arguments.theta_csv}) {
+  for (const std::string& name :
+       {arguments.summary, arguments.flattened, arguments.theta_csv, arguments.graph}) {
     if (!name.empty()) files.emplace_back(name);
   }
   return files;
@@ -161,6 +163,10 @@ int run_medial(MedialArguments arguments) {
   }
   arguments.angles.wanted =
       arguments.with_angles || arguments.theta || !arguments.theta_table.empty();
+  if (const fs::path graph = arguments.graph;
+      !graph.empty() && graph.extension() != ".json" && graph.extension() != ".graphml") {
+    return report_usage("--graph: the name must end in .json or .graphml");
+  }
   if (!(arguments.options.margin > 0 && arguments.options.margin <= 100)) {
     return report_usage("--margin: not in (0, 100]");
   }
@@ -235,6 +241,12 @@ int run_medial(MedialArguments arguments) {
   if (!arguments.summary.empty()) texts.push_back({arguments.summary, summary_json(summary)});
   if (!arguments.flattened.empty()) {
     texts.push_back({arguments.flattened, off_text(mesh.value())});
+  }
+  if (!arguments.graph.empty()) {
+    const DiagramGraph graph = read_graph(result.value());
+    texts.push_back({arguments.graph, fs::path(arguments.graph).extension() == ".json"
+                                          ? graph_json(graph, solid.value())
+                                          : graph_graphml(graph, solid.value())});
   }
   if (const auto error =
           write_medial(pruned ? *pruned : result.value(), solid.value(), arguments.prefix, texts)) {
@@ -366,11 +378,16 @@ Command add_voronoi_command(CLI::App& app) {
                    "How much larger than the solid's the box is in which the diagram is computed,\n"
                    "as a fraction; at least, up to a tenth more by chance")
       ->capture_default_str();
+  voronoi->add_option(
+      "--graph", arguments->graph,
+      "Write the Voronoi graph (faces, edges, vertices, what lies on what, with their\n"
+      "governors) to this file, .json or .graphml");
   voronoi
-      ->add_option("--criterion", options.criterion,
-                   "When a cell is accepted: strict (Sud's thesis), disks (regions are disks on its\n"
-                   "surface, none is hidden) or relaxed (the same, and what the flow to the\n"
-                   "boundary proves)")
+      ->add_option(
+          "--criterion", options.criterion,
+          "When a cell is accepted: strict (Sud's thesis), disks (regions are disks on its\n"
+          "surface, none is hidden) or relaxed (the same, and what the flow to the\n"
+          "boundary proves)")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Criterion>{{"strict", Criterion::kStrict},
                                            {"disks", Criterion::kDisks},
@@ -385,6 +402,7 @@ euler = 1 + regions - pieces_euler.
 Examples:
   blum voronoi part.stl
   blum voronoi part.stl --margin 0.5 --summary part.json
+  blum voronoi part.stl --graph part.graphml
   blum voronoi part.stl --criterion strict --time-limit 60)");
   return [arguments] { return run_medial(*arguments); };
 }

@@ -255,9 +255,9 @@ FaceDiagram brute_face(const FaceProblem& problem) {
     BLUM_CHECK(problem.rect.u0 < problem.rect.u1 && problem.rect.v0 < problem.rect.v1);
     require_general_position(*problem.solid, problem.rect, problem.triangles);
     for (int side = 0; side < 4; ++side) {
-      auto diagram = brute_segment(*problem.solid, side_segment(problem.rect, side),
-                                   problem.candidates, problem.triangles, problem.interior,
-                                   problem.kind);
+      auto diagram =
+          brute_segment(*problem.solid, side_segment(problem.rect, side), problem.candidates,
+                        problem.triangles, problem.interior, problem.kind);
       if (!diagram) throw BadPosition("side " + std::to_string(side) + " is in bad position");
       out.side[at(side)] = std::make_shared<const SegmentDiagram>(std::move(*diagram));
     }

@@ -47,8 +47,8 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
 
 std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& segment,
                                             std::span<const SiteId> candidates,
-                                            std::span<const std::uint32_t> triangles,
-                                            bool interior, DiagramKind kind) {
+                                            std::span<const std::uint32_t> triangles, bool interior,
+                                            DiagramKind kind) {
   BLUM_CHECK(segment.t0 < segment.t1);
   const Setting setting = segment_setting(solid, segment, candidates, triangles, kind);
   const Fiber fiber(setting, rational(0));

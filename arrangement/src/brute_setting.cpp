@@ -250,8 +250,7 @@ Setting segment_setting(const Solid& solid, const Segment& segment,
 }
 
 Setting rect_setting(const Solid& solid, const Rect& rect, std::span<const SiteId> candidates,
-                     std::span<const std::uint32_t> triangles, bool interior,
-                     DiagramKind kind) {
+                     std::span<const std::uint32_t> triangles, bool interior, DiagramKind kind) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     Setting s;
     s.solid = &solid;

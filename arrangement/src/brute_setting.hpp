@@ -39,7 +39,7 @@ struct Setting {
   const Solid* solid = nullptr;
   bool interior = false;  ///< FaceProblem::interior
   DiagramKind kind = DiagramKind::kMedial;
-  Moving x;               ///< the point with coordinates (u, v)
+  Moving x;  ///< the point with coordinates (u, v)
   Rational shear;
   std::vector<SiteId> site;  ///< candidates without degenerate features
   std::vector<std::uint32_t> triangle;

@@ -38,8 +38,8 @@ struct EngineContext {
 
   [[nodiscard]] bool voronoi() const { return geometry.kind() == DiagramKind::kVoronoi; }
 
-  /// Do ties of two sites never count? Predicates::never_essential, remembered; in a Voronoi diagram
-  /// all ties count. unit_difference, foot_cone and (Voronoi) touch are remembered too.
+  /// Do ties of two sites never count? Predicates::never_essential, remembered; in a Voronoi
+  /// diagram all ties count. unit_difference, foot_cone and (Voronoi) touch are remembered too.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
   /// Predicates::height of a point of the solid over a face, remembered.

@@ -1,5 +1,5 @@
-// Parts of a Voronoi diagram on a face where the boundary itself, or a line on which feet merge in a
-// vertex, crosses the plane: squared distances have no slope there.
+// Parts of a Voronoi diagram on a face where the boundary itself, or a line on which feet merge in
+// a vertex, crosses the plane: squared distances have no slope there.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -241,8 +241,7 @@ Trouble FaceEngine::find_corners_in_plane() const {
     const auto corner = geometry.corners(s, n);
     for (int k = 0; k < n; ++k) {
       const Point3& p = geometry.solid().point[corner[k]];
-      if (p[r.axis] == r.level && p[u_] >= r.u0 && p[u_] <= r.u1 && p[v_] >= r.v0 &&
-          p[v_] <= r.v1)
+      if (p[r.axis] == r.level && p[u_] >= r.u0 && p[u_] <= r.u1 && p[v_] >= r.v0 && p[v_] <= r.v1)
         return {FaceStatus::kBadPosition, "boundary vertex in the plane of a face"};
     }
   }

@@ -19,7 +19,8 @@ constexpr std::size_t kMeanReferences = 3;
 constexpr double kRoundingCounts = 1.0 / 16;
 constexpr double kNearlyParallel = 1e-6;
 
-/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their sides?
+/// Is d_a > (d_r + d_s) / 2 everywhere, for three faces, r and s covering the range with their
+/// sides?
 bool farther_than_mean(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& r,
                        const LocalForm& s, const Range& range) {
   const Ball half(0.5);

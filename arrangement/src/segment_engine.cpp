@@ -224,8 +224,8 @@ Trouble SegmentEngine::solve(const Segment& segment, std::span<const SiteId> can
   });
   if (equal) return {FaceStatus::kBadPosition, "two boundary triangles at one point of a segment"};
 
-  const auto where = context_.voronoi() ? InsideOracle::Where::kInside
-                                        : context_.inside.locate(first);
+  const auto where =
+      context_.voronoi() ? InsideOracle::Where::kInside : context_.inside.locate(first);
   if (where == InsideOracle::Where::kBoundary)
     return {FaceStatus::kBadPosition, "end of a segment on the boundary"};
   bool inside = where == InsideOracle::Where::kInside;

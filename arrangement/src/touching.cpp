@@ -65,8 +65,8 @@ class Toucher {
     return {};
   }
 
-  /// Of unit vectors u, v in the faces, across the common edge, both have a foot of a tie at the same
-  /// distance from it: the tie lies on the plane across u - v.
+  /// Of unit vectors u, v in the faces, across the common edge, both have a foot of a tie at the
+  /// same distance from it: the tie lies on the plane across u - v.
   Touch by_bisector(SiteId a, SiteId b, const CommonCorners& common) {
     const Touch out_a = by_prism(a, common), out_b = by_prism(b, common);  // w = -u, -v
     return {Kind::kBisector, sum(out_a.w, minus(out_b.w)), out_a.base};
@@ -112,7 +112,8 @@ class Toucher {
   }
 
   Touch face_face(SiteId a, SiteId b, const CommonCorners& common) {
-    if (!predicates_.redundant(a, b)) return common.count == 2 ? by_bisector(a, b, common) : Touch{};
+    if (!predicates_.redundant(a, b))
+      return common.count == 2 ? by_bisector(a, b, common) : Touch{};
     if (common.count == 0) return {Kind::kNever, {}, 0};
     if (common.count == 2) return by_prism(a, common);
     // Two triangles of one plane with a common corner: the line of some edge there parts them.

@@ -30,8 +30,8 @@ class Locator {
   /// The essential tie isolated by a breakpoint of a segment.
   [[nodiscard]] Placed tie(const Segment& line, const Breakpoint& breakpoint,
                            std::span<const SiteId> candidates);
-  /// An event or cluster of a face. (Voronoi: found by the separating planes of sites that touch and
-  /// the distances of others.) Where no common point of its groups is found: a point of its
+  /// An event or cluster of a face. (Voronoi: found by the separating planes of sites that touch
+  /// and the distances of others.) Where no common point of its groups is found: a point of its
   /// rectangle inside the solid, not on the axis.
   [[nodiscard]] Placed event(const Rect& rect, const FaceNode& node,
                              std::span<const SiteId> candidates);

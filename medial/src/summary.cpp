@@ -185,6 +185,15 @@ std::string summary_text(const SummaryInput& input) {
     }
     text += r.undecided.empty() ? "\n" : ")\n";
   }
+  if (r.voronoi) {
+    const VoronoiCheck& v = *r.voronoi;
+    append(text, "voronoi    Euler characteristic %ld, %zu regions, ", v.euler, v.regions);
+    if (v.decided)
+      append(text, "%ld on the box: %s\n", v.pieces_euler,
+             v.holds() ? "the formula holds" : "the formula does not hold");
+    else
+      text += "sides of the box undecided\n";
+  }
   text += "parts      " + counted(r.parts.sheets, "sheet") + ", " + counted(r.parts.seams, "seam") +
           ", " + counted(r.parts.junctions, "junction") + ", " +
           counted(r.parts.clusters, "cluster") + '\n';

@@ -1,6 +1,7 @@
 // Every generated shape is a valid solid with the stated topology, and the changes of a mesh leave
 // the solid as it is.
 #include "blum/kernel/shapes.hpp"
+#include "blum/kernel/site.hpp"
 
 #include <gtest/gtest.h>
 
@@ -210,6 +211,34 @@ TEST(Shapes, MovedByOneUlp_DiffersInTwoCoordinates) {
   const double next = std::nextafter(1.0, 2.0);
   EXPECT_EQ(plain.points[5], (Point3{1, 0, 1}));
   EXPECT_EQ(moved.points[5], (Point3{next, 0, next}));
+}
+
+TEST(Shapes, SpoonAndChisel_HaveTheCountsOfTheThesis) {
+  const auto spoon = build_solid(shapes::spoon());
+  ASSERT_TRUE(spoon) << spoon.error().message;
+  EXPECT_EQ(spoon.value().point.size(), 44u);
+  EXPECT_EQ(spoon.value().triangle.size(), 84u);
+  EXPECT_EQ(spoon.value().edge.size(), 126u);
+  const SiteCounts sites = count_sites(spoon.value());
+  EXPECT_EQ(sites.vertices + sites.edges + sites.faces, 254u);
+  EXPECT_EQ(spoon.value().betti(), (std::array<long, 3>{1, 0, 0}));
+  for (const double noise : {0.0, 0.01, 0.05}) {
+    const auto chisel = build_solid(shapes::chisel(noise, 3));
+    ASSERT_TRUE(chisel) << chisel.error().message;
+    EXPECT_EQ(chisel.value().point.size(), 318u);
+    EXPECT_EQ(chisel.value().triangle.size(), 632u);
+    EXPECT_EQ(chisel.value().betti(), (std::array<long, 3>{1, 0, 0}));
+  }
+  EXPECT_EQ(shapes::chisel(0.01, 1).points, shapes::chisel(0.01, 1).points);
+  EXPECT_NE(shapes::chisel(0.01, 1).points, shapes::chisel(0.01, 2).points);
+}
+
+TEST(Shapes, PlanarTorus_HasExactlyPlanarFacets) {
+  const auto solid = build_solid(shapes::planar_torus(8, 4, 2, 0.75));
+  ASSERT_TRUE(solid) << solid.error().message;
+  EXPECT_TRUE(solid.value().warnings.empty());
+  EXPECT_EQ(solid.value().facets, 32u);
+  EXPECT_EQ(solid.value().betti(), (std::array<long, 3>{1, 1, 0}));
 }
 
 TEST(Shapes, RegularPolygons_HaveExactSymmetries) {

@@ -18,8 +18,8 @@ class BruteEngine final : public DiagramEngine {
   SegmentAnswer segment(const Segment& segment, std::span<const SiteId> candidates,
                         std::span<const std::uint32_t> triangles) override {
     if (stop_) return {FaceStatus::kUndecided, kStopped, nullptr};
-    auto d = brute_segment(solid_, segment, candidates, triangles,
-                           kind_ == DiagramKind::kVoronoi, kind_);
+    auto d = brute_segment(solid_, segment, candidates, triangles, kind_ == DiagramKind::kVoronoi,
+                           kind_);
     if (!d) return {FaceStatus::kBadPosition, "segment in bad position", nullptr};
     return {FaceStatus::kDecided, "", std::make_shared<const SegmentDiagram>(std::move(*d))};
   }

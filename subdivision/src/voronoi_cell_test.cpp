@@ -91,7 +91,7 @@ class VoronoiCell {
   const SiteGeometry& geometry_;
   const VoronoiSurface::Faces& face_;
   VoronoiSurface surface_;
-  std::unordered_map<std::uint32_t, Place> place_;  // of the candidates
+  std::unordered_map<std::uint32_t, Place> place_;                 // of the candidates
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_of_;  // of the sites that show
   std::uint32_t components_ = 0;
 };

@@ -13,9 +13,9 @@
 
 namespace blum {
 
-/// The part of the medial diagram that lies on `rect`, inside the solid O; or the part of the Voronoi
-/// diagram on `rect`: there all space counts as inside, ∂O is no border, and the flag `interior` is
-/// to be set.
+/// The part of the medial diagram that lies on `rect`, inside the solid O; or the part of the
+/// Voronoi diagram on `rect`: there all space counts as inside, ∂O is no border, and the flag
+/// `interior` is to be set.
 ///
 /// Candidates: a superset of the governors of every point of rect ∩ O. Triangles: a superset of
 /// the boundary triangles that meet `rect`. Both sorted, without repetition.

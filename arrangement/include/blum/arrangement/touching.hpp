@@ -8,14 +8,15 @@
 
 namespace blum {
 
-/// How two different sites can tie beside a common corner or edge (docs/proofs.md, "Touching sites").
+/// How two different sites can tie beside a common corner or edge (docs/proofs.md, "Touching
+/// sites").
 struct Touch {
   enum class Kind : std::uint8_t {
     kOrdinary,  ///< ties are told by comparing distances
     kNever,     ///< they never tie: one plane or line holds both, and they do not meet
     kPlane,     ///< they tie only on the plane w.(x - base) = 0, which separates their regions
-    kBisector,  ///< faces at an edge: they tie only on that plane, and w points along the derivative
-                ///< of d_a - d_b there
+    kBisector,  ///< faces at an edge: they tie only on that plane, and w points along the
+                ///< derivative of d_a - d_b there
   };
   Kind kind = Kind::kOrdinary;
   BallVector w{};          ///< kPlane: a's region lies in w.(x - base) <= 0, b's in >= 0

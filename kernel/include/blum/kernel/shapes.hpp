@@ -57,15 +57,15 @@ struct Move {
 /// first. Betti numbers 1 1 0.
 [[nodiscard]] PolygonMesh planar_torus(int n, int m, double R, double r);
 
-/// A spoon of 84 triangles and 44 vertices, none of its 254 features degenerate: seven rings of six
+/// A spoon of 84 triangles, 126 edges and 44 vertices, none of the 254 degenerate: seven rings of six
 /// points from a tip to the end of the handle, the first of them hollow on top. After figure 5.14 of
 /// Sud's thesis, whose model has these counts. Betti numbers 1 0 0.
 [[nodiscard]] PolygonMesh spoon();
 
 /// A chisel of 632 triangles (after triangulation) and 318 vertices: a flattened handle, radially
 /// symmetric up to random perturbations of `noise` (relative to its radius), a shank and a tapering
-/// blade with exactly planar facets. After figure 5.15 of Sud's thesis, whose model has these counts.
-/// Requires 0 <= noise <= 0.05. Betti numbers 1 0 0.
+/// blade with exactly planar facets. After figure 5.15 of Sud's thesis, whose model has these
+/// counts. Requires 0 <= noise <= 0.05. Betti numbers 1 0 0.
 [[nodiscard]] PolygonMesh chisel(double noise = 0.01, std::uint64_t seed = 1);
 
 /// A tube of `sides` sides and radius `tube` around the (p, q) torus knot on the torus (R, r), in

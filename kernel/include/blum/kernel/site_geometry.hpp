@@ -11,8 +11,8 @@
 
 namespace blum {
 
-/// One condition w.(x - p) <= 0 of a site's domain. The unit vector along w is enclosed; the exact w
-/// is rebuilt from `kind` and the points when the filter fails.
+/// One condition w.(x - p) <= 0 of a site's domain. The unit vector along w is enclosed; the exact
+/// w is rebuilt from `kind` and the points when the filter fails.
 struct HalfSpace {
   enum class Kind : std::uint8_t {
     kAlong,   ///< w = b - a
@@ -23,7 +23,7 @@ struct HalfSpace {
   Kind kind = Kind::kAlong;
   std::uint32_t a = 0, b = 0, c = 0;  ///< points of the solid
   std::uint32_t base = 0;             ///< p
-  BallVector w;  ///< of length 1
+  BallVector w;                       ///< of length 1
 };
 
 /// Which diagram of a solid's sites.

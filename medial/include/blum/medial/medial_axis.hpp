@@ -33,9 +33,9 @@ struct PhaseTimes {
 /// euler = 1 + regions - pieces_euler. The three are computed independently.
 struct VoronoiCheck {
   std::size_t regions = 0;  ///< sites: each has one region in the box
-  long pieces_euler = 0;    ///< sum of the Euler characteristics of the regions' pieces on its sides
-  long euler = 0;           ///< of the complex
-  bool decided = false;     ///< the diagrams on the sides of the box are
+  long pieces_euler = 0;  ///< sum of the Euler characteristics of the regions' pieces on its sides
+  long euler = 0;         ///< of the complex
+  bool decided = false;   ///< the diagrams on the sides of the box are
   [[nodiscard]] bool holds() const {
     return decided && euler == 1 + static_cast<long>(regions) - pieces_euler;
   }
@@ -50,7 +50,7 @@ struct MedialResult {
   std::optional<Filtration> filtration;
   std::array<long, 3> betti{};  ///< of the complex; meaningful only if certified
   std::array<long, 3> solid_betti{};
-  std::optional<VoronoiCheck> voronoi;  ///< if the Voronoi diagram was asked for
+  std::optional<VoronoiCheck> voronoi;        ///< if the Voronoi diagram was asked for
   Criterion criterion = Criterion::kRelaxed;  ///< Voronoi
   double margin = 0;                          ///< Voronoi
   std::size_t leaves = 0;

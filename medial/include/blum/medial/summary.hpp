@@ -45,8 +45,10 @@ struct SummaryInput {
 /// Only if angles were wanted there is "angles": {"boxes","parts_wider","widest_deg","time_s"}, and
 /// only if the files hold a simplified axis "pruned":
 /// {"theta_deg","method","betti","sheets","seams", "curves","junctions","area"}, counted anew
-/// (count_shapes); "result" is about the whole axis. Numbers that are not finite become null.
-/// Requires solid and result.
+/// (count_shapes); "result" is about the whole axis.
+/// Only in Voronoi mode there is "voronoi": {"regions","pieces_euler","euler","criterion","margin",
+/// "side"} (VoronoiCheck); pieces_euler is null if the sides of the box are not decided, euler if
+/// cells are not. Numbers that are not finite become null. Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
 /// The same for people: lines, each ended by a line break.
