@@ -21,5 +21,6 @@ inline const CLI::Validator kDigits(
 [[nodiscard]] Command add_info_command(CLI::App& app);
 [[nodiscard]] Command add_make_command(CLI::App& app);
 [[nodiscard]] Command add_medial_command(CLI::App& app);
+[[nodiscard]] Command add_verify_command(CLI::App& app);
 
 }  // namespace blum::app

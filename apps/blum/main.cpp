@@ -15,9 +15,11 @@ constexpr const char* kFooter = R"(Examples:
   blum info plate.off                     is it a solid? what kind of?
   blum medial plate.off -o out/plate      out/plate.ma, .vtp, .obj: the medial axis
   blum medial plate.off --resolve --summary plate.json
+  blum medial plate.off --certificate plate.cert
+  blum verify plate.off plate.cert        check it, independently
 
 Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
-4 internal error, 5 output could not be written, 130 and 143 interrupted.)";
+4 false (verify), 5 output could not be written, 70 internal error, 130 and 143 interrupted.)";
 
 int run(int argc, char** argv) {
   CLI::App app("Blum: certified medial axes of polyhedral solids.", "blum");
@@ -26,7 +28,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
-                medial = add_medial_command(app);
+                medial = add_medial_command(app), verify = add_verify_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -35,6 +37,7 @@ int run(int argc, char** argv) {
   catch_interrupts();
   if (app.got_subcommand("info")) return info();
   if (app.got_subcommand("make")) return make();
+  if (app.got_subcommand("verify")) return verify();
   return medial();
 }
 

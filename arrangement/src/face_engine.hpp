@@ -89,8 +89,10 @@ class FaceEngine {
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
   [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
                                        const Groups& groups, const Circle& circle);
+  /// One for each group; none for a group that ties with no other.
+  using Directions = std::vector<std::optional<Direction>>;
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      const Range& range);
+                                      const Range& range, Directions& found);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
@@ -99,8 +101,14 @@ class FaceEngine {
   /// Do all pairs gain along the direction? Is there such a direction?
   [[nodiscard]] bool gain_along(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
                                 const Range& range, const Direction& direction);
-  [[nodiscard]] bool direction_exists(std::span<const GainPair> pairs,
-                                      std::span<const LocalForm> forms, const Range& range);
+  [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
+                                                   std::span<const LocalForm> forms,
+                                                   const Range& range);
+  /// Writes the part down, where that is asked for.
+  void note(PartRecord::Kind kind, std::span<const LocalForm> forms, std::uint32_t vertex = 0,
+            std::array<std::uint32_t, 2> edge = {});
+  void note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
+            const Directions& directions);
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
               const Box& box, std::uint32_t ties, bool rim = false);
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assemble.hpp"
+#include "certificate.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/engine_set.hpp"
@@ -56,7 +57,8 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
 
 }  // namespace
 
-Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options) {
+Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
+                                         const CertificateSink& certificate) {
   if (options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
       !(options.max_leaf_diameter >= 0))
     return Error{ErrorCode::kBadArgument,
@@ -92,6 +94,8 @@ Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions
     // M ≃ O: a disagreement would be a defect of this program, and must not leave it as an answer.
     BLUM_CHECK(result.betti == result.solid_betti);
   }
+  if (certificate)
+    write_certificate(geometry, subdivided.value(), assembly, result, options, engines, certificate);
   result.stages = engines.stages();
   result.time.assemble_s = seconds_since(middle);
   return result;
