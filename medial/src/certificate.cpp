@@ -36,7 +36,9 @@ class Writer {
   [[nodiscard]] Json site(SiteId s) const;
   [[nodiscard]] Json sites(std::span<const SiteId> list) const;
   [[nodiscard]] Json excluded(std::span<const SiteId> from, std::span<const SiteId> kept) const;
-  [[nodiscard]] std::optional<Json> parts(const FaceDiagram& face, const Leaf& leaf);
+  [[nodiscard]] std::optional<Json> diagram(const FaceDiagram& face, const Leaf& leaf);
+  [[nodiscard]] Json graph(const FaceDiagram& face) const;
+  [[nodiscard]] static Json cells(const CellComplex& complex);
   [[nodiscard]] Json header(const SubdivisionOptions& options) const;
   bool write_tree(std::uint32_t node, std::span<const SiteId> candidates);
   bool write_leaf(std::uint32_t index, std::span<const SiteId> candidates);
@@ -88,7 +90,68 @@ Json Writer::excluded(std::span<const SiteId> from, std::span<const SiteId> kept
   return j;
 }
 
-std::optional<Json> Writer::parts(const FaceDiagram& face, const Leaf& leaf) {
+Json Writer::graph(const FaceDiagram& face) const {
+  using Kind = FaceNode::Kind;
+  std::vector<bool> loop(face.node.size(), false);
+  for (const FaceArc& a : face.arc)
+    if (a.from == a.to) loop[a.from] = true;
+  Json events = Json::array(), arcs = Json::array();
+  std::vector<std::size_t> number(face.node.size(), 0);
+  for (std::size_t n = 0; n < face.node.size(); ++n) {
+    const FaceNode& node = face.node[n];
+    if ((node.kind != Kind::kEvent && node.kind != Kind::kRim) || loop[n]) continue;
+    number[n] = events.size();
+    events.push_back(
+        {node.kind == Kind::kRim ? "rim" : "event", node.u0, node.u1, node.v0, node.v1});
+  }
+  const auto end = [&](std::uint32_t n) -> Json {
+    const FaceNode& node = face.node[n];
+    if (node.kind == Kind::kSide) return Json::array({"side", node.side, node.breakpoint});
+    if (node.kind == Kind::kConvexEdge)
+      return Json::array({"edge", edge_number_[node.boundary_edge]});
+    if (loop[n]) return Json::array({"loop"});
+    return Json::array({"event", number[n]});
+  };
+  for (const FaceArc& a : face.arc)
+    arcs.push_back(Json::array({end(a.from), end(a.to), site(a.left), site(a.right)}));
+  return {{"events", events}, {"arcs", arcs}};
+}
+
+/// Cells by where they come from.
+Json Writer::cells(const CellComplex& complex) {
+  std::map<std::string, std::size_t> count;
+  for (const char* name : {"ties", "events", "rims", "convex points", "convex vertices", "apices",
+                           "arcs", "convex edges", "spokes"})
+    count[name] = 0;
+  for (const ComplexVertex& v : complex.vertex) switch (v.kind) {
+      case ComplexVertex::Kind::kArcPoint:
+        ++count["ties"];
+        break;
+      case ComplexVertex::Kind::kEvent:
+        ++count["events"];
+        break;
+      case ComplexVertex::Kind::kRim:
+        ++count["rims"];
+        break;
+      case ComplexVertex::Kind::kConvexEdge:
+        ++count["convex points"];
+        break;
+      case ComplexVertex::Kind::kBoundary:
+        ++count["convex vertices"];
+        break;
+      case ComplexVertex::Kind::kCone:
+        ++count["apices"];
+        break;
+    }
+  for (const ComplexEdge& e : complex.edge)
+    ++count[e.kind == ComplexEdge::Kind::kArc          ? "arcs"
+            : e.kind == ComplexEdge::Kind::kConvexEdge ? "convex edges"
+                                                       : "spokes"];
+  return count;
+}
+
+/// Null where the engine does not decide it as it did before.
+std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   std::vector<PartRecord> records;
   const FaceDiagram again = engines_.production().face(
       FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
@@ -128,7 +191,7 @@ std::optional<Json> Writer::parts(const FaceDiagram& face, const Leaf& leaf) {
         break;
     }
   }
-  return j;
+  return Json{{"parts", std::move(j)}, {"graph", graph(again)}};
 }
 
 Json Writer::header(const SubdivisionOptions& options) const {
@@ -159,7 +222,7 @@ bool Writer::write_leaf(std::uint32_t index, std::span<const SiteId> candidates)
   if (dropped_[index]) return undecided(undecided_reason_name(UndecidedReason::kFaceUndecided));
   Json faces = Json::array();
   for (const auto& face : leaf.face) {
-    std::optional<Json> p = parts(*face, leaf);
+    std::optional<Json> p = diagram(*face, leaf);
     if (!p) return undecided("a face was decided with other candidates only");
     faces.push_back(*std::move(p));
   }
@@ -187,19 +250,20 @@ bool Writer::run(const MedialResult& result, const SubdivisionOptions& options) 
   if (result.certified) {
     for (const OwnInterface& i : assembly_.own_interface) {
       const Rect& r = i.diagram->rect;
-      std::optional<Json> p = parts(*i.diagram, subdivision_.leaf[i.leaf]);
-      if (p && !line("interface", {{"rect", {r.axis, r.level, r.u0, r.u1, r.v0, r.v1}},
-                                   {"leaf", i.leaf},
-                                   {"parts", *std::move(p)}}))
-        return false;
+      std::optional<Json> p = diagram(*i.diagram, subdivision_.leaf[i.leaf]);
+      if (!p) continue;  // the checker will say that it is missing
+      (*p)["rect"] = {r.axis, r.level, r.u0, r.u1, r.v0, r.v1};
+      (*p)["leaf"] = i.leaf;
+      if (!line("interface", *std::move(p))) return false;
     }
     std::map<std::uint32_t, std::size_t> cones;
     for (const ComplexCone& c : result.complex.cone) ++cones[c.leaf];
     const auto euler =
         static_cast<long>(result.complex.vertex.size() + result.complex.triangle.size()) -
         static_cast<long>(result.complex.edge.size());
-    if (!line("complex",
-              {{"euler", euler}, {"cones", Json(std::vector(cones.begin(), cones.end()))}}) ||
+    if (!line("complex", {{"euler", euler},
+                          {"cells", cells(result.complex)},
+                          {"cones", Json(std::vector(cones.begin(), cones.end()))}}) ||
         !line("betti", result.betti))
       return false;
   }

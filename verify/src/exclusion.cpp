@@ -30,7 +30,11 @@ BallVector over_length(const BallVector& x) {
   return {divide(x[0], length), divide(x[1], length), divide(x[2], length)};
 }
 
-double length_bound(const BallVector& x) { return up(std::sqrt(std::max(0.0, dot(x, x).high()))); }
+/// Infinite where the square is none (an overflow): bounds fail to say anything then.
+double root_bound(const Ball& square) {
+  const double high = square.high();
+  return high >= 0 ? up(std::sqrt(high)) : std::numeric_limits<double>::infinity();
+}
 
 /// A point near the closed site, within kOnSite of it: corners of at most 1 combined in double.
 Point3 point_near(const Shape& shape, Site s, const Point3& x) {
@@ -137,13 +141,12 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   std::vector<std::pair<double, Site>> covering;
   for (const Site s : against) {
     if (sites_.covers(s, box)) {
-      const double d = std::sqrt(std::max(0.0, quadratic(s, v.center).value.high()));
-      v.nearest = std::min(v.nearest, up(d));
+      const double d = root_bound(quadratic(s, v.center).value);
+      v.nearest = std::min(v.nearest, d);
       covering.emplace_back(d, s);
     }
-    v.nearest =
-        std::min(v.nearest,
-                 up(length_bound(difference(v.center, point_near(shape, s, v.center))) + kOnSite));
+    const BallVector offset = difference(v.center, point_near(shape, s, v.center));
+    v.nearest = std::min(v.nearest, up(root_bound(dot(offset, offset)) + kOnSite));
   }
   std::ranges::sort(covering);
   if (covering.size() > kReferences) covering.resize(kReferences);

@@ -72,6 +72,7 @@ class FaceChecker {
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t element_of(const Step& s);
   [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge);
+  void splice();
   [[nodiscard]] FaceMap assemble(const Box& root);
 
   const Exclusion& exclusion_;
@@ -86,7 +87,8 @@ class FaceChecker {
   std::map<std::uint32_t, std::uint32_t> trace_element_, convex_node_;  // by triangle, edge
   std::vector<FaceMap::Node> node_;
   std::vector<std::uint32_t> node_element_;
-  std::vector<bool> through_;  // nodes inside the rectangle where two parts meet
+  std::vector<bool> through_;     // nodes inside the rectangle where two parts meet
+  std::vector<Site> candidates_;  // of the rectangle, sorted
   std::vector<FaceMap::Arc> arc_;
   UnionFind region_, piece_;  // of elements
   std::vector<std::vector<Site>> labels_;
@@ -108,7 +110,7 @@ std::uint32_t FaceChecker::element_of(const Step& s) {
 std::uint32_t FaceChecker::convex_node(std::uint32_t edge) {
   const auto [it, fresh] = convex_node_.try_emplace(edge, static_cast<std::uint32_t>(node_.size()));
   if (fresh) {
-    node_.push_back({FaceMap::Node::Kind::kConvexEdge, 0, 0, edge, 0});
+    node_.push_back({FaceMap::Node::Kind::kConvexEdge, 0, 0, edge, 0, {}});
     node_element_.push_back(kNone);
     through_.push_back(false);
   }
@@ -148,7 +150,7 @@ Side FaceChecker::name(Line line, int side) {
     s.node.push_back(kNone);
     if (s.line.change[k].boundary) continue;
     s.node.back() = static_cast<std::uint32_t>(node_.size());
-    node_.push_back({FaceMap::Node::Kind::kSide, side, k, 0, 0});
+    node_.push_back({FaceMap::Node::Kind::kSide, side, k, 0, 0, {}});
     node_element_.push_back(kNone);
     through_.push_back(side < 0);
   }
@@ -299,7 +301,13 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
     return;
   }
   const auto center = static_cast<std::uint32_t>(node_.size());
-  node_.push_back({rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent, 0, 0, 0, 0});
+  const Box3& b = part.box;
+  node_.push_back({rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
+                   0,
+                   0,
+                   0,
+                   0,
+                   {b.lo[u_], b.hi[u_], b.lo[v_], b.hi[v_]}});
   node_element_.push_back(whole);
   through_.push_back(false);
   for (std::size_t k = 0; k < n; ++k)
@@ -317,6 +325,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
   require(claim.type != Claim::Type::kExact, "face: a part that only exact algebra decides");
+  require(std::ranges::includes(candidates_, claim.sites),
+          "face: a part names a site that is no candidate");
   part.sites = claim.sites;
   for (const Site s : box.candidates)
     require(std::ranges::binary_search(claim.sites, s) ||
@@ -390,7 +400,31 @@ void FaceChecker::check(Box box) {
   check(std::move(high));
 }
 
+/// Where two parts meet arcs go on: one node less, but on a closed arc, which keeps one.
+void FaceChecker::splice() {
+  std::vector<std::vector<std::uint32_t>> at(node_.size());
+  for (std::uint32_t a = 0; a < arc_.size(); ++a)
+    for (const auto n : arc_[a].node) at[n].push_back(a);
+  std::vector<bool> gone(arc_.size(), false);
+  for (std::uint32_t n = 0; n < node_.size(); ++n) {
+    if (!through_[n] || node_element_[n] == kNone) continue;
+    require(at[n].size() == 2, "face: an arc ends where two parts meet");
+    const auto a = at[n][0], b = at[n][1];
+    if (a == b) continue;
+    const auto far = arc_[b].node[arc_[b].node[0] == n ? 1 : 0];
+    arc_[a].node[arc_[a].node[0] == n ? 0 : 1] = far;
+    std::ranges::replace(at[far], b, a);
+    gone[b] = true;
+    node_element_[n] = kNone;
+  }
+  std::vector<FaceMap::Arc> kept;
+  for (std::size_t a = 0; a < arc_.size(); ++a)
+    if (!gone[a]) kept.push_back(arc_[a]);
+  arc_ = std::move(kept);
+}
+
 FaceMap FaceChecker::assemble(const Box& root) {
+  splice();
   FaceMap map;
   map.rect = root.rect;
   std::vector<std::uint32_t> region_of(region_.size(), kNone), piece_of(region_.size(), kNone),
@@ -421,7 +455,6 @@ FaceMap FaceChecker::assemble(const Box& root) {
     r.labels.erase(std::ranges::unique(r.labels).begin(), r.labels.end());
   }
   for (std::uint32_t n = 0; n < node_.size(); ++n) {
-    // Between parts, arcs go on: such nodes have two, and stay as nodes of degree 2.
     if (node_element_[n] == kNone) continue;
     node_of[n] = static_cast<std::uint32_t>(map.node.size());
     map.node.push_back(node_[n]);
@@ -463,6 +496,7 @@ FaceMap FaceChecker::run(const Rect& rect, const std::array<Line, 4>& sides,
   u_ = u_axis(rect.axis);
   v_ = v_axis(rect.axis);
   find_traces(rect);
+  candidates_.assign(candidates.begin(), candidates.end());
   Box root{rect, {}, {candidates.begin(), candidates.end()}};
   for (int s = 0; s < 4; ++s)
     root.side[static_cast<std::size_t>(s)] = name(sides[static_cast<std::size_t>(s)], s);

@@ -44,6 +44,7 @@ struct FaceMap {
     std::uint32_t change = 0;  ///< kSide: index in the side's line
     std::uint32_t edge = 0;    ///< kConvexEdge
     std::uint32_t piece = 0;
+    std::array<double, 4> box{};  ///< kEvent, kRim: u0, u1, v0, v1 of the part that holds it
   };
   struct Arc {
     std::array<std::uint32_t, 2> node;

@@ -19,6 +19,11 @@ struct Interface {
   const FaceMap* map;
 };
 
+constexpr const char *kTie = "ties", *kEvent = "events", *kRim = "rims",
+                     *kConvexPoint = "convex points", *kConvexVertex = "convex vertices",
+                     *kApex = "apices", *kArc = "arcs", *kConvexEdge = "convex edges",
+                     *kSpoke = "spokes";
+
 using LineKey = std::tuple<int, double, double>;
 LineKey key_of(const Segment& s) { return {s.axis, s.u, s.v}; }
 
@@ -38,8 +43,12 @@ class Gluer {
   void number_ties();
   void add_interface(const Interface& i);
   void add_leaf(std::uint32_t index);
-  std::uint32_t vertex() { return static_cast<std::uint32_t>(complex_.vertices++); }
-  std::uint32_t edge(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t vertex(const char* origin) {
+    ++complex_.cells[origin];
+    return static_cast<std::uint32_t>(complex_.vertices++);
+  }
+  std::uint32_t edge(std::uint32_t a, std::uint32_t b, const char* origin) {
+    ++complex_.cells[origin];
     complex_.edge.push_back({a, b});
     return static_cast<std::uint32_t>(complex_.edge.size() - 1);
   }
@@ -116,7 +125,7 @@ void Gluer::number_ties() {
         const auto ties = static_cast<std::size_t>(
             std::ranges::count_if(part.change, [](const Change& c) { return !c.boundary; }));
         const auto [slot, fresh] = ties_.try_emplace({key, *it});
-        for (std::size_t k = 0; fresh && k < ties; ++k) slot->second.push_back(vertex());
+        for (std::size_t k = 0; fresh && k < ties; ++k) slot->second.push_back(vertex(kTie));
         require(slot->second.size() == ties, "gluing: two faces disagree about an edge");
       }
     }
@@ -150,12 +159,14 @@ void Gluer::add_interface(const Interface& i) {
       vertex_of[n] = tie[static_cast<std::size_t>(node.side)].at(node.change);
       continue;
     }
-    vertex_of[n] = vertex();
+    vertex_of[n] = vertex(node.kind == FaceMap::Node::Kind::kEvent ? kEvent
+                          : node.kind == FaceMap::Node::Kind::kRim ? kRim
+                                                                   : kConvexPoint);
     if (node.kind == FaceMap::Node::Kind::kConvexEdge)
       for (const auto leaf : {i.low, i.high}) crossing_[leaf][node.edge].push_back(vertex_of[n]);
   }
   for (const FaceMap::Arc& a : map.arc) {
-    const auto id = edge(vertex_of[a.node[0]], vertex_of[a.node[1]]);
+    const auto id = edge(vertex_of[a.node[0]], vertex_of[a.node[1]], kArc);
     for (const auto leaf : {i.low, i.high}) arcs_[leaf].push_back(id);
   }
 }
@@ -177,14 +188,14 @@ void Gluer::add_leaf(std::uint32_t index) {
         bool named = false;
         for (const auto e : shape_.edges_at[v]) {
           if (shape_.edge[e].bend != Bend::kConvex) continue;
-          if (!named) name = vertex();
+          if (!named) name = vertex(kConvexVertex);
           named = true;
           ends[e].push_back(name);
         }
       }
     for (const auto& [e, list] : ends) {
       require(list.size() == 2, "gluing: a convex edge has not two ends in a leaf");
-      arcs.push_back(edge(list[0], list[1]));
+      arcs.push_back(edge(list[0], list[1], kConvexEdge));
     }
   }
   UnionFind graph;
@@ -196,8 +207,8 @@ void Gluer::add_leaf(std::uint32_t index) {
     }
   for (const auto& [v, l] : local) {
     const auto [it, fresh] = apex.try_emplace(graph.find(l), 0u);
-    if (fresh) it->second = vertex();
-    spoke[v] = edge(v, it->second);
+    if (fresh) it->second = vertex(kApex);
+    spoke[v] = edge(v, it->second, kSpoke);
   }
   complex_.cones[index] = apex.size();
   for (const auto a : arcs) {
@@ -210,6 +221,9 @@ Complex Gluer::run() {
   arcs_.resize(leaf_.size());
   crossing_.resize(leaf_.size());
   complex_.cones.assign(leaf_.size(), 0);
+  for (const char* origin :
+       {kTie, kEvent, kRim, kConvexPoint, kConvexVertex, kApex, kArc, kConvexEdge, kSpoke})
+    complex_.cells[origin] = 0;
   for (std::uint32_t n = 0; n < node_.size(); ++n) {
     const CellNode& c = node_[n];
     if (c.axis < 0) continue;

@@ -34,6 +34,7 @@ struct Complex {
   std::vector<std::array<std::uint32_t, 2>> edge;
   std::vector<std::array<std::uint32_t, 3>> triangle;  ///< edges
   std::vector<std::size_t> cones;                      ///< by leaf
+  std::map<const char*, std::size_t> cells;            ///< by origin, as named in certificates
 };
 
 /// Glues the cones of all leaves. Throws Failure where two leaves disagree.

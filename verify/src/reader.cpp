@@ -6,9 +6,18 @@
 namespace blum::verify {
 namespace {
 
+constexpr std::size_t kMostChanges = 1u << 30;
+
+const nlohmann::json& list_of(const nlohmann::json& j, std::size_t size) {
+  if (!j.is_array() || j.size() != size) throw Unreadable("a list of another length");
+  return j;
+}
+
+}  // namespace
+
 double read_number(const nlohmann::json& j) {
-  const double x = j.get<double>();
-  if (!std::isfinite(x)) throw Unreadable("a number is not finite");
+  const double x = j.is_number() ? j.get<double>() : NAN;
+  if (!std::isfinite(x)) throw Unreadable("not a finite number");
   return x;
 }
 
@@ -17,8 +26,6 @@ std::uint32_t read_index(const nlohmann::json& j, std::size_t limit) {
     throw Unreadable("an index is out of range");
   return j.get<std::uint32_t>();
 }
-
-}  // namespace
 
 void Reader::fill() {
   if (!record_.is_null()) return;
@@ -37,9 +44,50 @@ nlohmann::json Reader::next(const char* name) {
   return content;
 }
 
+void Reader::end() {
+  if (in_.peek() != std::istream::traits_type::eof()) throw Unreadable("lines after the end");
+}
+
 bool Reader::at(const char* name) {
   fill();
   return record_.begin().key() == name;
+}
+
+Graph read_graph(const nlohmann::json& j, const Shape& shape) {
+  Graph graph;
+  for (const auto& e : j.at("events")) {
+    list_of(e, 5);
+    GraphEvent event;
+    const std::string kind = e.at(0);
+    event.rim = kind == "rim";
+    if (!event.rim && kind != "event") throw Unreadable("unknown kind of event: " + kind);
+    for (std::size_t k = 0; k < 4; ++k) event.box[k] = read_number(e.at(k + 1));
+    graph.event.push_back(event);
+  }
+  for (const auto& a : j.at("arcs")) {
+    list_of(a, 4);
+    GraphArc arc;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& end = a.at(k);
+      const std::string kind = end.at(0);
+      arc.site[k] = read_index(a.at(k + 2), shape.sites());
+      if (kind == "side")
+        arc.end[k] = {GraphEnd::Kind::kSide, read_index(list_of(end, 3).at(1), 4),
+                      read_index(end.at(2), kMostChanges)};
+      else if (kind == "edge")
+        arc.end[k] = {GraphEnd::Kind::kConvexEdge,
+                      read_index(list_of(end, 2).at(1), shape.edge.size()), 0};
+      else if (kind == "event")
+        arc.end[k] = {GraphEnd::Kind::kEvent, read_index(list_of(end, 2).at(1), graph.event.size()),
+                      0};
+      else if (kind == "loop")
+        arc.end[k] = {GraphEnd::Kind::kLoop, 0, 0};
+      else
+        throw Unreadable("unknown kind of end: " + kind);
+    }
+    graph.arc.push_back(arc);
+  }
+  return graph;
 }
 
 Box3 read_box(const nlohmann::json& j) {
@@ -53,13 +101,16 @@ Box3 read_box(const nlohmann::json& j) {
 
 std::vector<Site> read_sites(const nlohmann::json& j, std::uint32_t limit) {
   std::vector<Site> sites;
+  if (!j.is_array()) throw Unreadable("sites are not a list");
   for (const auto& s : j) sites.push_back(read_index(s, limit));
   std::ranges::sort(sites);
+  if (std::ranges::adjacent_find(sites) != sites.end()) throw Unreadable("a site is listed twice");
   return sites;
 }
 
 std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
   std::vector<PartNode> parts;
+  if (!j.is_array()) throw Unreadable("parts are not a list");
   for (const auto& p : j) {
     PartNode node;
     const std::string kind = p.at(0);

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "face.hpp"
+#include "graph.hpp"
 
 namespace blum::verify {
 
@@ -24,6 +24,8 @@ class Reader {
   [[nodiscard]] nlohmann::json next(const char* name);
   /// Is the next record called `name`?
   [[nodiscard]] bool at(const char* name);
+  /// Throws Unreadable unless the text ends here.
+  void end();
   [[nodiscard]] std::size_t line() const { return line_; }
 
  private:
@@ -33,9 +35,14 @@ class Reader {
   std::size_t line_ = 0;
 };
 
+/// Finite. Throws Unreadable.
+[[nodiscard]] double read_number(const nlohmann::json& j);
+/// A whole number from 0, less than `limit`. Throws Unreadable.
+[[nodiscard]] std::uint32_t read_index(const nlohmann::json& j, std::size_t limit);
 [[nodiscard]] Box3 read_box(const nlohmann::json& j);
 /// Sorted; less than `limit`. Throws Unreadable.
 [[nodiscard]] std::vector<Site> read_sites(const nlohmann::json& j, std::uint32_t limit);
 [[nodiscard]] std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape);
+[[nodiscard]] Graph read_graph(const nlohmann::json& j, const Shape& shape);
 
 }  // namespace blum::verify

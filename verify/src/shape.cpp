@@ -1,6 +1,7 @@
 #include "shape.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "blum/kernel/union_find.hpp"
@@ -11,7 +12,11 @@ Shape::Shape(std::span<const Point3> points,
              std::span<const std::array<std::uint32_t, 3>> triangles)
     : point(points.begin(), points.end()) {
   for (const auto& t : triangles) triangle.push_back({t, {}});
-  find_edges();
+  for (const Point3& p : point)
+    for (int k = 0; k < 3; ++k)
+      if (!(std::abs(p[k]) <= 1)) defect_ = "a coordinate is larger than 1";
+  if (defect_.empty()) find_edges();
+  if (defect_.empty()) check_manifold();
   if (defect_.empty()) find_candidates();
 }
 
@@ -51,6 +56,25 @@ void Shape::find_edges() {
     for (const auto v : triangle[edge[e].triangle[1]].vertex)
       if (v != edge[e].vertex[0] && v != edge[e].vertex[1])
         edge[e].bend = static_cast<Bend>(side_of_plane(edge[e].triangle[0], point[v]));
+  }
+}
+
+void Shape::check_manifold() {
+  for (std::uint32_t t = 0; t < triangle.size(); ++t)
+    if (std::ranges::all_of(normal<Rational>(t), [](const Rational& x) { return sgn(x) == 0; }))
+      defect_ = "triangle " + std::to_string(t) + " is degenerate";
+  for (std::uint32_t v = 0; v < point.size(); ++v) {
+    // The triangles at a vertex form one fan.
+    const auto& around = triangles_at[v];
+    const auto place = [&](std::uint32_t t) {
+      return static_cast<std::uint32_t>(std::ranges::find(around, t) - around.begin());
+    };
+    UnionFind fan;
+    fan.resize(static_cast<std::uint32_t>(around.size()));
+    for (const auto e : edges_at[v])
+      fan.unite(place(edge[e].triangle[0]), place(edge[e].triangle[1]));
+    for (std::uint32_t k = 1; k < around.size(); ++k)
+      if (fan.find(k) != fan.find(0)) defect_ = "two fans at vertex " + std::to_string(v);
   }
 }
 

@@ -98,6 +98,7 @@ class Shape {
   [[nodiscard]] std::uint32_t vertices() const { return static_cast<std::uint32_t>(point.size()); }
   [[nodiscard]] std::uint32_t edges() const { return static_cast<std::uint32_t>(edge.size()); }
   void find_edges();
+  void check_manifold();
   void find_candidates();
   [[nodiscard]] bool polar_cone_has_interior(std::uint32_t v) const;
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kFormat = "blum-certificate";
 constexpr int kVersion = 1, kMaxDepth = 1000;
+constexpr std::size_t kMostCells = 0xffffffffu;
 
 class Interrupted {};
 
@@ -43,9 +44,10 @@ class Checker {
   void exclude(const nlohmann::json& excluded, const Box3& box, std::vector<Site>& candidates);
   [[nodiscard]] std::vector<std::uint32_t> meeting(const std::vector<std::uint32_t>& triangles,
                                                    const Box3& box) const;
-  [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const nlohmann::json& parts,
+  using Lines = std::map<std::array<double, 3>, Line>;  // solved for one leaf, by axis, u, v
+  [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const nlohmann::json& j,
                                         std::span<const Site> candidates,
-                                        std::span<const std::uint32_t> triangles);
+                                        std::span<const std::uint32_t> triangles, Lines& lines);
   [[nodiscard]] bool inside(const Point3& x);
   void check_interfaces();
   void check_complex();
@@ -115,19 +117,25 @@ void Checker::exclude(const nlohmann::json& excluded, const Box3& box,
   candidates = std::move(kept);
 }
 
-FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& parts,
+FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
                                  std::span<const Site> candidates,
-                                 std::span<const std::uint32_t> triangles) {
-  const std::vector<PartNode> nodes = read_parts(parts, shape_);
+                                 std::span<const std::uint32_t> triangles, Lines& lines) {
+  const std::vector<PartNode> nodes = read_parts(j.at("parts"), shape_);
+  const Graph graph = read_graph(j.at("graph"), shape_);
   ++answer_.faces;
   answer_.parts += nodes.size();
   std::array<Line, 4> side;
   for (int s = 0; s < 4; ++s) {
     const Segment segment = side_of(rect, s);
-    side[static_cast<std::size_t>(s)] =
-        lines_.solve(segment, inside(at(segment, segment.t0)), candidates, triangles);
+    const auto [it, fresh] =
+        lines.try_emplace({static_cast<double>(segment.axis), segment.u, segment.v});
+    if (fresh)
+      it->second = lines_.solve(segment, inside(at(segment, segment.t0)), candidates, triangles);
+    side[static_cast<std::size_t>(s)] = it->second;
   }
-  return check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  FaceMap map = check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  check_graph(map, graph);
+  return map;
 }
 
 void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<Site> candidates,
@@ -135,7 +143,9 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<S
   Leaf leaf;
   leaf.box = box;
   const std::string theorem = j.at("theorem");
-  if (theorem == "undecided") throw Failure("a leaf is undecided: the result is not certified");
+  if (theorem == "undecided")
+    throw Failure("leaf " + std::to_string(leaf_.size()) + " is undecided (" +
+                  j.at("reason").get<std::string>() + "): the result is not certified");
   if (theorem == "outside") {
     leaf.outside = true;
     require(triangles.empty() && !inside(box.lo), "a leaf meets the solid and is called outside");
@@ -143,12 +153,15 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<S
     exclude(j.at("excluded"), box, candidates);
     leaf.candidates = std::move(candidates);
     leaf.triangles = std::move(triangles);
+    const nlohmann::json& faces = j.at("faces");
+    if (!faces.is_array() || faces.size() != 6) throw Unreadable("a leaf has not six faces");
+    Lines lines;
     for (std::size_t f = 0; f < 6; ++f)
-      leaf.face[f] = check_rectangle(face_of(box, static_cast<int>(f)), j.at("faces").at(f),
-                                     leaf.candidates, leaf.triangles);
+      leaf.face[f] = check_rectangle(face_of(box, static_cast<int>(f)), faces[f], leaf.candidates,
+                                     leaf.triangles, lines);
     if (theorem == "conical") {
       leaf.conical = true;
-      leaf.vertex = j.at("vertex").get<std::uint32_t>();
+      leaf.vertex = read_index(j.at("vertex"), shape_.point.size());
       check_conical(shape_, box, leaf.vertex, leaf.candidates, leaf.triangles, leaf.face);
     } else if (theorem == "boundary") {
       check_boundary(sites_, box, leaf.triangles, leaf.face);
@@ -174,9 +187,8 @@ void Checker::check_tree(std::uint32_t node, std::vector<Site> candidates,
   }
   const nlohmann::json j = reader_.next("node");
   exclude(j.at("excluded"), box, candidates);
-  const int axis = j.at("axis").get<int>();
-  if (axis < 0 || axis > 2) throw Unreadable("an axis is not 0, 1 or 2");
-  const double cut = j.at("cut").get<double>();
+  const int axis = static_cast<int>(read_index(j.at("axis"), 3));
+  const double cut = read_number(j.at("cut"));
   require(cut > box.lo[axis] && cut < box.hi[axis],
           "the leaves do not tile: a cut outside its cell");
   const auto low = static_cast<std::uint32_t>(node_.size());
@@ -194,11 +206,13 @@ void Checker::check_interfaces() {
   while (reader_.at("interface")) {
     const nlohmann::json j = reader_.next("interface");
     const auto& at = j.at("rect");
-    const Rect rect{at.at(0).get<int>(),    at.at(1).get<double>(), at.at(2).get<double>(),
-                    at.at(3).get<double>(), at.at(4).get<double>(), at.at(5).get<double>()};
-    const auto index = j.at("leaf").get<std::size_t>();
-    require(index < leaf_.size() && rect.axis >= 0 && rect.axis < 3, "gluing: no such leaf");
-    const Leaf& leaf = leaf_[index];
+    const Rect rect{static_cast<int>(read_index(at.at(0), 3)),
+                    read_number(at.at(1)),
+                    read_number(at.at(2)),
+                    read_number(at.at(3)),
+                    read_number(at.at(4)),
+                    read_number(at.at(5))};
+    const Leaf& leaf = leaf_[read_index(j.at("leaf"), leaf_.size())];
     const auto within = [&](const Point3& p) {
       for (int k = 0; k < 3; ++k)
         if (p[k] < leaf.box.lo[k] || p[k] > leaf.box.hi[k]) return false;
@@ -208,8 +222,8 @@ void Checker::check_interfaces() {
                 within(point_on(rect.axis, rect.level, rect.u1, rect.v1)) && rect.u0 < rect.u1 &&
                 rect.v0 < rect.v1,
             "gluing: an interface is not on its leaf");
-    interface_[key_of(rect)] =
-        check_rectangle(rect, j.at("parts"), leaf.candidates, leaf.triangles);
+    Lines lines;
+    interface_[key_of(rect)] = check_rectangle(rect, j, leaf.candidates, leaf.triangles, lines);
   }
 }
 
@@ -222,17 +236,22 @@ void Checker::check_complex() {
   const nlohmann::json j = reader_.next("complex");
   std::vector<std::size_t> cones(leaf_.size(), 0);
   for (const auto& c : j.at("cones")) {
-    const auto leaf = c.at(0).get<std::size_t>();
-    require(leaf < cones.size(), "the complex has a cone in no leaf");
-    cones[leaf] = c.at(1).get<std::size_t>();
+    const auto leaf = read_index(c.at(0), cones.size());
+    if (cones[leaf] != 0) throw Unreadable("a leaf's cones are counted twice");
+    cones[leaf] = read_index(c.at(1), kMostCells);
   }
   require(cones == complex.cones, "the complex has other cones than the leaves give");
-  const auto euler = static_cast<long>(complex.vertices + complex.triangle.size()) -
-                     static_cast<long>(complex.edge.size());
-  require(j.at("euler").get<long>() == euler, "the complex has another Euler characteristic");
+  for (const auto& [name, count] : complex.cells)
+    require(read_index(j.at("cells").at(name), kMostCells) == count,
+            std::string("the complex has another number of cells: ") + name);
+  const auto euler = static_cast<double>(complex.vertices + complex.triangle.size()) -
+                     static_cast<double>(complex.edge.size());
+  require(read_number(j.at("euler")) == euler, "the complex has another Euler characteristic");
   answer_.betti = betti_numbers(complex);
-  require(reader_.next("betti").get<std::array<long, 3>>() == answer_.betti,
-          "the complex has other Betti numbers");
+  const nlohmann::json betti = reader_.next("betti");
+  for (std::size_t k = 0; k < 3; ++k)
+    require(read_index(betti.at(k), kMostCells) == static_cast<std::uint64_t>(answer_.betti[k]),
+            "the complex has other Betti numbers");
   require(answer_.betti == shape_.betti(), "the Betti numbers are not those of the solid");
 }
 
@@ -240,7 +259,9 @@ void Checker::run(const std::string& fingerprint) {
   const nlohmann::json header = reader_.next("header");
   if (header.at("format") != kFormat) throw Unreadable("not a certificate of blum");
   if (header.at("version") != kVersion) throw Unreadable("an unknown version of the format");
-  require(header.at("model").at("fingerprint") == fingerprint,
+  require(header.at("model").at("fingerprint") == fingerprint &&
+              header.at("model").at("points") == shape_.point.size() &&
+              header.at("model").at("triangles") == shape_.triangle.size(),
           "the certificate is of another model");
   const Box3 root = read_box(header.at("box"));
   for (const Point3& p : shape_.point)
@@ -253,8 +274,9 @@ void Checker::run(const std::string& fingerprint) {
   check_interfaces();
   check_complex();
   const nlohmann::json end = reader_.next("end");
-  if (end.at("lines").get<std::size_t>() != reader_.line())
-    throw Unreadable("the number of lines is wrong");
+  require(end.at("certified") == true, "the certificate calls itself not certified");
+  if (end.at("lines") != reader_.line()) throw Unreadable("the number of lines is wrong");
+  reader_.end();
 }
 
 }  // namespace
