@@ -7,7 +7,6 @@
 namespace blum::verify {
 namespace {
 
-constexpr int kLooks = 2000;  // at boxes, for one exclusion
 constexpr std::size_t kReferences = 8;
 
 double up(double x) { return x * (1 + 0x1p-48) + 0x1p-1000; }
@@ -162,8 +161,7 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
   return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box); });
 }
 
-bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
-                                int& looks) const {
+bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, int& looks) const {
   if (--looks < 0) return false;
   if (gone(s, box, view(box, against))) return true;
   int axis = 0;
@@ -173,12 +171,12 @@ bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> a
   if (!(m > box.lo[axis] && m < box.hi[axis])) return false;
   Box3 low = box, high = box;
   low.hi[axis] = high.lo[axis] = m;
-  return governs_nothing(s, low, against, looks) && governs_nothing(s, high, against, looks);
+  return halves(s, low, against, looks) && halves(s, high, against, looks);
 }
 
-bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against) const {
-  int looks = kLooks;
-  return governs_nothing(s, box, against, looks);
+bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
+                                int most) const {
+  return halves(s, box, against, most);
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

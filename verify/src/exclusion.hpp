@@ -18,7 +18,9 @@ class Exclusion {
   explicit Exclusion(const Sites& sites);
 
   /// Is it certain that s governs no point of box ∩ O? `against`: sites whose distances are bounds.
-  [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against) const;
+  /// Halves the box where needed, and looks at `most` boxes at most.
+  [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against,
+                                     int most = 2000) const;
   /// Those of `candidates` that may govern a point of box ∩ O, by one look at the whole box.
   [[nodiscard]] std::vector<Site> remaining(std::span<const Site> candidates,
                                             const Box3& box) const;
@@ -34,8 +36,8 @@ class Exclusion {
   /// d_a > d_b (carriers) wherever a governs; the conclusion "a governs nothing" needs covers(b).
   [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
   [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
-  [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against,
-                                     int& looks) const;
+  [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
+                            int& looks) const;
 
   const Sites& sites_;
   std::vector<BallVector> unit_;  // of faces and edges

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kFormat = "blum-certificate";
 constexpr int kVersion = 1, kMaxDepth = 1000;
+constexpr int kNodeLooks = 40, kLeafLooks = 10000;  // at boxes, for one exclusion
 constexpr std::size_t kMostCells = 0xffffffffu;
 
 class Interrupted {};
@@ -37,11 +38,16 @@ class Checker {
   [[nodiscard]] std::size_t line() const { return reader_.line(); }
 
  private:
-  void check_tree(std::uint32_t node, std::vector<Site> candidates,
+  /// Sites that may govern a cell as far as the certificate says, and those excluded above it of
+  /// which that is still to be shown: an exclusion is true of a cell if it is of all leaves in it.
+  struct Candidates {
+    std::vector<Site> kept, pending;
+  };
+  void check_tree(std::uint32_t node, Candidates candidates,
                   const std::vector<std::uint32_t>& triangles, int depth);
-  void check_leaf(const nlohmann::json& j, const Box3& box, std::vector<Site> candidates,
+  void check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
                   std::vector<std::uint32_t> triangles);
-  void exclude(const nlohmann::json& excluded, const Box3& box, std::vector<Site>& candidates);
+  void exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates, int looks);
   [[nodiscard]] std::vector<std::uint32_t> meeting(const std::vector<std::uint32_t>& triangles,
                                                    const Box3& box) const;
   using Lines = std::map<std::array<double, 3>, Line>;  // solved for one leaf, by axis, u, v
@@ -103,18 +109,17 @@ std::vector<std::uint32_t> Checker::meeting(const std::vector<std::uint32_t>& tr
   return kept;
 }
 
-void Checker::exclude(const nlohmann::json& excluded, const Box3& box,
-                      std::vector<Site>& candidates) {
+void Checker::exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates,
+                      int looks) {
   const std::vector<Site> sites = read_sites(excluded, shape_.sites());
-  std::vector<Site> kept;
-  std::ranges::set_difference(candidates, sites, std::back_inserter(kept));
-  for (const Site s : sites) {
-    if (!std::ranges::binary_search(candidates, s)) continue;
+  std::vector<Site> kept, still;
+  std::ranges::set_difference(candidates.kept, sites, std::back_inserter(kept));
+  std::ranges::set_intersection(candidates.kept, sites, std::back_inserter(candidates.pending));
+  for (const Site s : candidates.pending) {
     ++answer_.exclusions;
-    require(exclusion_.governs_nothing(s, box, kept),
-            "candidates: a site was excluded that may govern a point of the cell");
+    if (!exclusion_.governs_nothing(s, box, kept, looks)) still.push_back(s);
   }
-  candidates = std::move(kept);
+  candidates = {std::move(kept), std::move(still)};
 }
 
 FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
@@ -138,7 +143,7 @@ FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
   return map;
 }
 
-void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<Site> candidates,
+void Checker::check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
                          std::vector<std::uint32_t> triangles) {
   Leaf leaf;
   leaf.box = box;
@@ -150,8 +155,11 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<S
     leaf.outside = true;
     require(triangles.empty() && !inside(box.lo), "a leaf meets the solid and is called outside");
   } else {
-    exclude(j.at("excluded"), box, candidates);
-    leaf.candidates = std::move(candidates);
+    exclude(j.at("excluded"), box, candidates, kLeafLooks);
+    if (!candidates.pending.empty())
+      throw Failure("candidates: site " + std::to_string(candidates.pending.front()) +
+                    " was excluded and may govern a point of leaf " + std::to_string(leaf_.size()));
+    leaf.candidates = std::move(candidates.kept);
     leaf.triangles = std::move(triangles);
     const nlohmann::json& faces = j.at("faces");
     if (!faces.is_array() || faces.size() != 6) throw Unreadable("a leaf has not six faces");
@@ -175,7 +183,7 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, std::vector<S
   if (progress_ && !progress_(done_ / volume(node_[0].box))) throw Interrupted();
 }
 
-void Checker::check_tree(std::uint32_t node, std::vector<Site> candidates,
+void Checker::check_tree(std::uint32_t node, Candidates candidates,
                          const std::vector<std::uint32_t>& parent_triangles, int depth) {
   require(depth < kMaxDepth, "the tree of cells is too deep");
   const Box3 box = node_[node].box;
@@ -186,7 +194,7 @@ void Checker::check_tree(std::uint32_t node, std::vector<Site> candidates,
     return;
   }
   const nlohmann::json j = reader_.next("node");
-  exclude(j.at("excluded"), box, candidates);
+  exclude(j.at("excluded"), box, candidates, kNodeLooks);
   const int axis = static_cast<int>(read_index(j.at("axis"), 3));
   const double cut = read_number(j.at("cut"));
   require(cut > box.lo[axis] && cut < box.hi[axis],
@@ -270,7 +278,7 @@ void Checker::run(const std::string& fingerprint) {
   node_.push_back({root});
   std::vector<std::uint32_t> triangles(shape_.triangle.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
-  check_tree(0, shape_.candidates(), triangles, 0);
+  check_tree(0, {shape_.candidates(), {}}, triangles, 0);
   check_interfaces();
   check_complex();
   const nlohmann::json end = reader_.next("end");
