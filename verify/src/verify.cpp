@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kFormat = "blum-certificate";
 constexpr int kVersion = 1, kMaxDepth = 1000;
-constexpr int kNodeLooks = 40, kLeafLooks = 10000;  // at boxes, for one exclusion
+constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
 constexpr std::size_t kMostCells = 0xffffffffu;
 
 class Interrupted {};
