@@ -60,6 +60,22 @@ bool inside(const Point3& p, const Box3& b) {
 
 void count_lines(Records& r) { r.back()["end"]["lines"] = r.size(); }
 
+/// Adds the diagram on a face of a leaf, as that of an interface: true, and of no use.
+Json& add_interface(Records& r, Random& random) {
+  const auto boxes = boxes_of(r);
+  const auto found = faces_with_arcs(r);
+  const FaceRef f = found[below(random, found.size())];
+  const Box3& b = boxes[f.record];
+  const int axis = static_cast<int>(f.face) / 2, u = u_axis(axis), v = v_axis(axis);
+  Json j = r[f.record]["leaf"]["faces"][f.face];
+  j["rect"] = {axis, f.face % 2 == 0 ? b.lo[axis] : b.hi[axis], b.lo[u], b.hi[u], b.lo[v], b.hi[v]};
+  const auto leaves = all(r, "leaf");
+  j["leaf"] = std::ranges::find(leaves, f.record) - leaves.begin();
+  const auto at = r.insert(r.end() - 3, Json{{"interface", j}});
+  count_lines(r);
+  return (*at)["interface"];
+}
+
 void drop(Json& list, const Json& item) {
   list.erase(std::remove(list.begin(), list.end(), item), list.end());
 }
@@ -373,24 +389,27 @@ const std::vector<Mutation>& false_mutations() {
        }},
       {"an interface of a leaf that it is not on",
        [](const C&, Records& r, Random& random) {
-         const auto i = any(r, "interface", random);
-         if (!i) return false;
+         Json& interface = add_interface(r, random);
          const auto boxes = boxes_of(r);
          const auto leaves = all(r, "leaf");
          const auto leaf = below(random, leaves.size());
-         const Json& rect = r[*i]["interface"]["rect"];
-         const int axis = rect[0];
+         const int axis = interface["rect"][0];
          const Box3& b = boxes[leaves[leaf]];
-         if (rect[1] >= b.lo[axis] && rect[1] <= b.hi[axis]) return false;
-         r[*i]["interface"]["leaf"] = leaf;
+         if (interface["rect"][1] >= b.lo[axis] && interface["rect"][1] <= b.hi[axis]) return false;
+         interface["leaf"] = leaf;
          return true;
        }},
-      {"move an interface",
+      {"an interface larger than the face of its leaf",
        [](const C&, Records& r, Random& random) {
-         const auto i = any(r, "interface", random);
-         if (!i) return false;
-         Json& x = r[*i]["interface"]["rect"][1 + below(random, 5)];
-         x = x.get<double>() + 0x1p-20;
+         const auto k = 2 + below(random, 4);
+         Json& x = add_interface(r, random)["rect"][k];
+         x = x.get<double>() + (k % 2 == 0 ? -0x1p-20 : 0x1p-20);
+         return true;
+       }},
+      {"drop an arc of an interface",
+       [](const C&, Records& r, Random& random) {
+         Json& arcs = add_interface(r, random)["graph"]["arcs"];
+         arcs.erase(below(random, arcs.size()));
          return true;
        }},
       {"another number of cells",
@@ -505,6 +524,11 @@ const std::vector<Mutation>& true_mutations() {
              }
            }
          }
+         return true;
+       }},
+      {"a diagram more than is needed",
+       [](const C&, Records& r, Random& random) {
+         add_interface(r, random);
          return true;
        }},
       {"other options",

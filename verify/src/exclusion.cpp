@@ -176,7 +176,8 @@ bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, i
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
                                 int most) const {
-  return halves(s, box, against, most);
+  int looks = most;
+  return halves(s, box, against, looks) || (looks < 0 && sites_.beyond_two(s, box));
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

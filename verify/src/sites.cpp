@@ -94,6 +94,39 @@ bool Sites::beyond(Site s, const Box3& box) const {
   });
 }
 
+bool Sites::beyond_two(Site s, const Box3& box) const {
+  // p <= 0 and q <= 0 meet in no point of the box iff r p + q > 0 at all corners for some r > 0.
+  const BoxCorners corners(box);
+  std::vector<std::vector<Rational>> value;  // by condition, corner
+  for (const Condition& c : conditions(s)) {
+    value.emplace_back();
+    const Vec<Rational> w = direction<Rational>(c);
+    for (const Point3& x : corners)
+      value.back().push_back(
+          inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape_.point[c.base]))));
+  }
+  for (std::size_t i = 0; i < value.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Rational low = 0;
+      std::optional<Rational> high;
+      bool possible = true;
+      for (std::size_t k = 0; k < value[i].size() && possible; ++k) {
+        const Rational &p = value[i][k], &q = value[j][k];
+        if (sgn(p) == 0) {
+          possible = sgn(q) > 0;
+          continue;
+        }
+        const Rational r = -q / p;
+        if (sgn(p) > 0)
+          low = std::max(low, r);
+        else
+          high = high ? std::min(*high, r) : r;
+      }
+      if (possible && (!high || low < *high)) return true;
+    }
+  return false;
+}
+
 bool Sites::covers(Site s, const Box3& box) const {
   const BoxCorners corners(box);
   auto own = conditions(s);

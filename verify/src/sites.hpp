@@ -2,6 +2,7 @@
 /// functions on boxes, which are decided at the corners.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "vertex_cone.hpp"
@@ -47,6 +48,8 @@ class Sites {
   [[nodiscard]] bool in_domain(const Point3& x, Site s) const;
   /// Is one condition violated at every point of the box?
   [[nodiscard]] bool beyond(Site s, const Box3& box) const;
+  /// Is one of two conditions violated at every point of the box, though neither on the whole?
+  [[nodiscard]] bool beyond_two(Site s, const Box3& box) const;
   /// Does every point of the box project into the closed site; and, for a face, lie on its inner
   /// side?
   [[nodiscard]] bool covers(Site s, const Box3& box) const;
