@@ -22,5 +22,6 @@ inline const CLI::Validator kDigits(
 [[nodiscard]] Command add_make_command(CLI::App& app);
 [[nodiscard]] Command add_medial_command(CLI::App& app);
 [[nodiscard]] Command add_verify_command(CLI::App& app);
+[[nodiscard]] Command add_certificate_command(CLI::App& app);
 
 }  // namespace blum::app

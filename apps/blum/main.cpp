@@ -17,6 +17,7 @@ constexpr const char* kFooter = R"(Examples:
   blum medial plate.off --resolve --summary plate.json
   blum medial plate.off --certificate plate.cert
   blum verify plate.off plate.cert        check it, independently
+  blum certificate plate.cert             say what it says
 
 Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
 4 false (verify), 5 output could not be written, 70 internal error, 130 and 143 interrupted.)";
@@ -28,7 +29,8 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
-                medial = add_medial_command(app), verify = add_verify_command(app);
+                medial = add_medial_command(app), verify = add_verify_command(app),
+                certificate = add_certificate_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -38,6 +40,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("info")) return info();
   if (app.got_subcommand("make")) return make();
   if (app.got_subcommand("verify")) return verify();
+  if (app.got_subcommand("certificate")) return certificate();
   return medial();
 }
 

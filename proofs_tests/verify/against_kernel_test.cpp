@@ -119,10 +119,11 @@ TEST(VerifyExclusion, SitesThatGovernNothing_AreNearestNowhere) {
     const verify::Exclusion exclusion(sites);
     const auto& all = b.shape.candidates();
     std::size_t excluded = 0, governed = 0;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 20; ++k) {
       Box3 box;
+      const Point3& near = b.solid.point[random() % b.solid.point.size()];
       for (int a = 0; a < 3; ++a) {
-        box.lo[a] = coordinate(random);
+        box.lo[a] = near[a] + 0.3 * coordinate(random);
         box.hi[a] = box.lo[a] + size(random);
       }
       const auto kept = exclusion.remaining(all, box);
