@@ -44,7 +44,12 @@ void run(const std::vector<Certified>& certificates, const std::vector<Mutation>
     for (const Mutation& m : mutations)
       for (int k = 0; k < times; ++k) {
         auto records = c.record;
-        if (!m.apply(c, records, random)) continue;
+        bool possible = false;
+        for (int attempt = 0; attempt < 20 && !possible; ++attempt) {
+          records = c.record;
+          possible = m.apply(c, records, random);
+        }
+        if (!possible) continue;
         ++applied[m.name];
         const verify::Answer answer = check(c, records);
         if (meaning_kept)
@@ -73,7 +78,7 @@ TEST(Mutation, OfSmallCertificatesThatKeepTheMeaning_Accepted) {
   run(small(), true_mutations(), 1, true);
 }
 
-TEST(SweepMutation, ThatAreFalse_Rejected) { run(larger(), false_mutations(), 30, false); }
+TEST(SweepMutation, ThatAreFalse_Rejected) { run(larger(), false_mutations(), 10, false); }
 
 TEST(SweepMutation, ThatKeepTheMeaning_Accepted) { run(larger(), true_mutations(), 5, true); }
 
@@ -147,7 +152,7 @@ void replace_values(const std::vector<Certified>& certificates, int times) {
     }
 }
 
-TEST(Mutation, HostileValues_NeverACrashNorAWrongAnswer) { replace_values(small(), 25); }
+TEST(Mutation, HostileValues_NeverACrashNorAWrongAnswer) { replace_values(small(), 15); }
 TEST(SweepMutation, HostileValues_NeverACrashNorAWrongAnswer) { replace_values(larger(), 1000); }
 
 TEST(Mutation, TextThatIsNoCertificate_Unreadable) {
