@@ -330,7 +330,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   part.sites = claim.sites;
   for (const Site s : box.candidates)
     require(std::ranges::binary_search(claim.sites, s) ||
-                exclusion_.governs_nothing(s, part.box, claim.sites),
+                exclusion_.governs_nothing(s, part.box, claim.sites) ||
+                exclusion_.governs_nothing(s, part.box, box.candidates, 20000),
             "face: a site that may govern a part is missing");
   const SharedFeet shared(exclusion_, part.sites, part.box);
   bool rim = false;
