@@ -23,5 +23,7 @@ inline const CLI::Validator kDigits(
 [[nodiscard]] Command add_medial_command(CLI::App& app);
 [[nodiscard]] Command add_field_command(CLI::App& app);
 [[nodiscard]] Command add_voronoi_command(CLI::App& app);
+[[nodiscard]] Command add_verify_command(CLI::App& app);
+[[nodiscard]] Command add_certificate_command(CLI::App& app);
 
 }  // namespace blum::app

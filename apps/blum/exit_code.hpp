@@ -8,8 +8,9 @@ enum ExitCode : int {
   kUsage = 1,
   kInput = 2,
   kNotCertified = 3,
-  kInternal = 4,
+  kFalse = 4,  ///< verify: a statement of the certificate does not hold
   kOutput = 5,
+  kInternal = 70,
   kSignalBase = 128,  ///< plus the signal: 130 for SIGINT, 143 for SIGTERM
 };
 

@@ -16,9 +16,12 @@ constexpr const char* kFooter = R"(Examples:
   blum medial plate.off -o out/plate      out/plate.ma, .vtp, .obj: the medial axis
   blum medial plate.off --resolve --summary plate.json
   blum field plate.off --resolution 128 --signed -o plate.vti
+  blum medial plate.off --certificate plate.cert
+  blum verify plate.off plate.cert        check it, independently
+  blum certificate plate.cert             say what it says
 
 Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
-4 internal error, 5 output could not be written, 130 and 143 interrupted.)";
+4 false (verify), 5 output could not be written, 70 internal error, 130 and 143 interrupted.)";
 
 int run(int argc, char** argv) {
   CLI::App app("Blum: certified medial axes of polyhedral solids.", "blum");
@@ -28,7 +31,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   const Command info = add_info_command(app), make = add_make_command(app),
                 medial = add_medial_command(app), field = add_field_command(app),
-                voronoi = add_voronoi_command(app);
+                voronoi = add_voronoi_command(app), verify = add_verify_command(app),
+                certificate = add_certificate_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -39,6 +43,8 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("make")) return make();
   if (app.got_subcommand("field")) return field();
   if (app.got_subcommand("voronoi")) return voronoi();
+  if (app.got_subcommand("verify")) return verify();
+  if (app.got_subcommand("certificate")) return certificate();
   return medial();
 }
 

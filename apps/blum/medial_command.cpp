@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -32,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct MedialArguments {
-  std::string model, prefix, summary, flattened, graph;
+  std::string model, prefix, summary, flattened, graph, certificate;
   double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
   std::uint64_t max_memory_mib = 0;            // 0: no limit
   std::optional<double> theta;                 // degrees
@@ -84,8 +85,8 @@ constexpr const char* kUndecidedSuffix = ".undecided.vtp";
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
-  for (const std::string& name :
-       {arguments.summary, arguments.flattened, arguments.theta_csv, arguments.graph}) {
+  for (const std::string& name : {arguments.summary, arguments.flattened, arguments.theta_csv,
+                                  arguments.graph, arguments.certificate}) {
     if (!name.empty()) files.emplace_back(name);
   }
   return files;
@@ -207,6 +208,20 @@ int run_medial(MedialArguments arguments) {
   if (const auto problem = output_problem(files)) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
+  // The certificate is streamed, under another name until it is whole.
+  const std::string unfinished = arguments.certificate + ".unfinished";
+  std::ofstream certificate;
+  CertificateSink sink;
+  if (!arguments.certificate.empty()) {
+    certificate.open(unfinished, std::ios::binary);
+    sink = [&certificate](const std::string& line) {
+      return interrupted_by() == 0 && (certificate << line << '\n').good();
+    };
+  }
+  const auto drop_certificate = [&] {
+    std::error_code ignored;
+    if (sink) fs::remove(unfinished, ignored);
+  };
   const auto compute = [&] {
     ProgressBar bar;
     arguments.options.on_progress = [&bar](const Progress& progress) {
@@ -214,12 +229,23 @@ int run_medial(MedialArguments arguments) {
       return interrupted_by() == 0;
     };
     return arguments.kind == DiagramKind::kMedial
-               ? compute_medial_axis(solid.value(), arguments.options, arguments.angles)
+               ? compute_medial_axis(solid.value(), arguments.options, arguments.angles, sink)
                : compute_voronoi_diagram(solid.value(), arguments.options);
   };
   const Result<MedialResult> result = compute();
+  if (interrupted_by() != 0 || !result) drop_certificate();
   if (interrupted_by() != 0) return interrupted();
   if (!result) return report(result.error());
+  if (sink) {
+    certificate.close();
+    std::error_code failed;
+    if (certificate) fs::rename(unfinished, arguments.certificate, failed);
+    if (!certificate || failed) {
+      drop_certificate();
+      return report(Error{ErrorCode::kOutputNotWritten, "the certificate could not be written",
+                          arguments.certificate, std::nullopt});
+    }
+  }
 
   summary.solid = &solid.value();
   summary.result = &result.value();
@@ -281,6 +307,8 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
                    "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
                    "the diagonal; 0: as coarse as the topology allows")
       ->capture_default_str();
+  medial->add_option("--certificate", arguments->certificate,
+                     "Write what `blum verify` needs to check the result to this file");
   CLI::Option* const coplanar =
       medial
           ->add_option("--coplanar-tolerance", arguments->coplanar_tolerance,

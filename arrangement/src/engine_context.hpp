@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "blum/arrangement/part_record.hpp"
 #include "blum/arrangement/production_engine.hpp"
 #include "blum/arrangement/touching.hpp"
 #include "blum/kernel/inside.hpp"
@@ -24,6 +25,7 @@ struct EngineContext {
   std::uint64_t seed;
   EngineCounts counts;
   bool part_clusters = false;
+  std::vector<PartRecord>* parts = nullptr;  ///< where the face in work is written down, or null
   /// Set from outside to give up: running work then answers kUndecided soon.
   const std::atomic<bool>* stop = nullptr;
   [[nodiscard]] bool stopped() const {

@@ -265,21 +265,24 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
   });
 }
 
-bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
-                                  const Range& range) {
+std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
+                                               std::span<const LocalForm> forms,
+                                               const Range& range) {
   const Solid& solid = context_.geometry.solid();
-  const auto along = [&](std::span<const std::array<double, 2>> against) {
+  const auto along =
+      [&](std::span<const std::array<double, 2>> against) -> std::optional<Direction> {
     const auto w2 = opposite(against);
-    if (!w2) return false;
+    if (!w2) return std::nullopt;
     Direction d;
     d.w[u_] = Ball((*w2)[0]);
     d.w[v_] = Ball((*w2)[1]);
-    return gain_along(pairs, forms, range, d);
+    if (!gain_along(pairs, forms, range, d)) return std::nullopt;
+    return d;
   };
   std::vector<std::array<double, 2>> against;
   for (const GainPair& p : pairs)
     against.push_back({p.slope.gradient[u_].mid, p.slope.gradient[v_].mid});
-  if (along(against)) return true;
+  if (const auto d = along(against)) return d;
 
   // By all directions of their feet, where edges are so near that gradients vary too much.
   against.clear();
@@ -293,7 +296,8 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
         against.push_back(
             {f.end[i][u_].mid - g.end[j][u_].mid, f.end[i][v_].mid - g.end[j][v_].mid});
   }
-  if (known && along(against)) return true;
+  if (known)
+    if (const auto d = along(against)) return d;
 
   // Sites that meet in a vertex: by their corners as seen from there.
   against.clear();
@@ -316,8 +320,8 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
                              sign * (solid.point[corner[k]][v_] - o[v_])});
     }
   }
-  if (!meet || context_.voronoi()) return false;
-  if (along(against)) return true;
+  if (!meet || context_.voronoi()) return std::nullopt;
+  if (const auto d = along(against)) return d;
 
   // By the planes through their common convex edges, or through one and an edge of one of them.
   for (const GainPair& p : pairs) {
@@ -334,15 +338,15 @@ bool FaceEngine::direction_exists(std::span<const GainPair> pairs, std::span<con
       }
     for (const auto t : tip) {
       const Direction d = left_normal(solid, problem_.rect.axis, common.vertex[0], t);
-      if (gain_along(pairs, forms, range, d) || gain_along(pairs, forms, range, d.reversed()))
-        return true;
+      if (gain_along(pairs, forms, range, d)) return d;
+      if (gain_along(pairs, forms, range, d.reversed())) return d.reversed();
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                  std::uint32_t except, const Range& range) {
+                                  std::uint32_t except, const Range& range, Directions& found) {
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
@@ -351,10 +355,38 @@ bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups
       of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j], range)});
       of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i], range)});
     }
+  found.assign(groups.count, std::nullopt);
   for (std::uint32_t g = 0; g < groups.count; ++g)
-    if (g != except && !of_group[g].empty() && !direction_exists(of_group[g], forms, range))
-      return false;
+    if (g != except && !of_group[g].empty() && !(found[g] = direction(of_group[g], forms, range))) return false;
   return true;
+}
+
+void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, std::uint32_t vertex,
+                      std::array<std::uint32_t, 2> edge) {
+  if (context_.parts == nullptr) return;
+  PartRecord r;
+  r.kind = kind;
+  for (const LocalForm& f : forms) r.sites.push_back(f.site);
+  r.vertex = vertex;
+  r.edge = edge;
+  context_.parts->push_back(std::move(r));
+}
+
+void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
+                      const Directions& directions) {
+  if (context_.parts == nullptr) return;
+  note(kind, forms);
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const auto g = groups.of[i];
+    if (g >= directions.size() || !directions[g] ||
+        std::find(groups.of.begin(), groups.of.begin() + static_cast<std::ptrdiff_t>(i), g) !=
+            groups.of.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;
+    const Direction& d = *directions[g];
+    PlaneDirection w{d.w[u_].mid, d.w[v_].mid, {}};
+    if (d.line) w.line = {d.line->from, d.line->to};
+    context_.parts->back().direction.emplace_back(forms[i].site, w);
+  }
 }
 
 FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
@@ -425,7 +457,10 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, 
 
 bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const Border& border) {
   if (!border.loop.empty()) return false;
-  if (border.circle.empty()) return true;  // outside the solid
+  if (border.circle.empty()) {  // outside the solid
+    note(PartRecord::Kind::kOutside, forms);
+    return true;
+  }
   const Groups ties = Groups::by_ties(context_, forms);
   if (ties.cliques && ties.count > kMaxGroups) return false;
   const Groups feet = Groups::by_feet(context_, forms, range_of(box));
@@ -485,14 +520,17 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
   const auto repeated = std::count(often.begin(), often.end(), true);
   if (repeated > 1) return false;
   const Range range = range_of(box);
+  Directions directions;
   if (repeated == 0 &&
-      (groups.count == 1 || directions_exist(forms, groups, groups.count, range))) {
+      (groups.count == 1 || directions_exist(forms, groups, groups.count, range, directions))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       record(border.circle[c], forms, feet, box,
              runs[c].size() > 1 ? static_cast<std::uint32_t>(runs[c].size()) : 0);
+    note(&groups == &feet ? PartRecord::Kind::kFeet : PartRecord::Kind::kStar, forms, groups,
+         directions);
     return true;
   }
   // Bands (Theorem D'): one group, and others that it parts.
@@ -504,10 +542,15 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
       return true;
     });
     if (!alternate || !parts_the_others(forms, groups, base, range) ||
-        !directions_exist(forms, groups, base, range))
+        !directions_exist(forms, groups, base, range, directions))
       continue;
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       record_bands(border.circle[c], forms, groups, feet, base);
+    note(&groups == &feet ? PartRecord::Kind::kFeetBands : PartRecord::Kind::kBands, forms, groups,
+         directions);
+    if (context_.parts != nullptr)
+      for (std::size_t i = 0; i < forms.size(); ++i)
+        if (groups.of[i] == base) context_.parts->back().base = forms[i].site;
     return true;
   }
   return false;
@@ -701,6 +744,11 @@ Trouble FaceEngine::refine(Box box) {
   for (const LocalForm& f : forms) box.candidates.push_back(f.site);
   Box low, high;
   if (const Trouble t = split(box, low, high)) return t;
+  if (context_.parts != nullptr) {
+    const bool along_u = low.u1 < box.u1;
+    note(along_u ? PartRecord::Kind::kCutU : PartRecord::Kind::kCutV, {});
+    context_.parts->back().cut = along_u ? low.u1 : low.v1;
+  }
   // A triangle stays with a part if its trace meets it: an end inside, or a crossing on its sides.
   for (Box* part : {&low, &high}) {
     part->candidates = box.candidates;

@@ -114,9 +114,11 @@ class FaceEngine {
   /// Do all groups that show on the circle tie at one point of the box, to kCommonTolerance?
   [[nodiscard]] bool meet_in_one_point(const Box& box, std::span<const LocalForm> forms,
                                        const Groups& groups, const Circle& circle);
+  /// One for each group; none for a group that ties with no other.
+  using Directions = std::vector<std::optional<Direction>>;
   /// For all groups but one.
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      std::uint32_t except, const Range& range);
+                                      std::uint32_t except, const Range& range, Directions& found);
   /// Can no other two groups tie with one another?
   [[nodiscard]] bool parts_the_others(std::span<const LocalForm> forms, const Groups& groups,
                                       std::uint32_t base, const Range& range);
@@ -152,6 +154,14 @@ class FaceEngine {
   /// One arc around each interval that is not of the base.
   void record_bands(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,
                     const Groups& feet, std::uint32_t base);
+  [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
+                                                   std::span<const LocalForm> forms,
+                                                   const Range& range);
+  /// Writes the part down, where that is asked for.
+  void note(PartRecord::Kind kind, std::span<const LocalForm> forms, std::uint32_t vertex = 0,
+            std::array<std::uint32_t, 2> edge = {});
+  void note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
+            const Directions& directions);
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
               const Box& box, std::uint32_t ties, bool rim = false);
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);

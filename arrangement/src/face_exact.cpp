@@ -100,6 +100,7 @@ bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
   for (const FaceArc& a : d.arc)
     add_arc(node[a.from], node[a.to], a.left, a.right,
             {element[a.region[0]], element[a.region[1]]});
+  note(PartRecord::Kind::kExact, forms);
   return true;
 }
 

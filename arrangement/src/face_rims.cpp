@@ -59,6 +59,7 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
       // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
       ++context_.counts.rims;
       record(border.circle[0], forms, feet, box, ties_of(border.circle[0]), true);
+      note(PartRecord::Kind::kRim, forms, common, {edges[i], edges[j]});
       return true;
     }
   return false;
@@ -149,6 +150,7 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
   }
   context_.counts.rims += ties == 1;
   record(border.circle[0], forms, feet, box, ties, ties == 1);
+  note(PartRecord::Kind::kCone, forms, *v);
   return true;
 }
 

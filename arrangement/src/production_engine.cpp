@@ -36,6 +36,15 @@ FaceDiagram ProductionEngine::face(
   return FaceEngine(impl_->context, problem).solve(side);
 }
 
+FaceDiagram ProductionEngine::face(
+    const FaceProblem& problem, const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
+    std::vector<PartRecord>& parts) {
+  impl_->context.parts = &parts;
+  FaceDiagram d = face(problem, side);
+  impl_->context.parts = nullptr;
+  return d;
+}
+
 std::vector<SiteId> ProductionEngine::prune(std::span<const SiteId> candidates, const Point3& lo,
                                             const Point3& hi, const DistanceHint& hint) const {
   std::vector<LocalForm> forms;

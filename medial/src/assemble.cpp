@@ -512,6 +512,13 @@ Assembly Assembler::run() {
   }
   for (std::uint32_t l = 0; l < dropped_.size(); ++l)
     if (dropped_[l]) assembly.undecided.push_back(l);
+  for (const Interface& i : interface_) {
+    const auto side = static_cast<std::size_t>(2 * i.rect.axis);
+    if (i.diagram != subdivision_.leaf[i.low].face[side + 1] &&
+        i.diagram != subdivision_.leaf[i.high].face[side])
+      assembly.own_interface.push_back(
+          {i.diagram, static_cast<std::uint32_t>(&donor(i) - subdivision_.leaf.data())});
+  }
   assembly.complex = std::move(complex_);
   return assembly;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "blum/kernel/site_geometry.hpp"
@@ -11,9 +12,16 @@
 
 namespace blum {
 
+/// The diagram on a rectangle between two leaves that is no face of either.
+struct OwnInterface {
+  std::shared_ptr<const FaceDiagram> diagram;
+  std::uint32_t leaf = 0;  ///< whose candidates it was made with
+};
+
 struct Assembly {
   CellComplex complex;
   std::vector<std::uint32_t> undecided;  ///< accepted leaves with an interface in bad position
+  std::vector<OwnInterface> own_interface;
   bool stopped = false;                  ///< the run's watch has fired: there is no complex
 };
 

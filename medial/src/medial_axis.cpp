@@ -7,6 +7,7 @@
 
 #include "assemble.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
+#include "certificate.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/cell_test.hpp"
@@ -85,7 +86,8 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
 }
 
 Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
-                             const AngleOptions& angles, DiagramKind kind) {
+                             const AngleOptions& angles, const CertificateSink& certificate,
+                             DiagramKind kind) {
   if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 ||
       !(options.time_limit_s >= 0) || !(options.max_leaf_diameter >= 0) ||
       (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
@@ -150,6 +152,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     if (watch.look() == Stop::kInterrupted)
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
   }
+  if (certificate)
+    write_certificate(geometry, subdivided.value(), assembly, result, options, engines, certificate);
   result.stages = engines.stages();
   return result;
 }
@@ -157,12 +161,13 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
 }  // namespace
 
 Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
-                                         const AngleOptions& angles) {
-  return compute(solid, options, angles, DiagramKind::kMedial);
+                                         const AngleOptions& angles,
+                                         const CertificateSink& certificate) {
+  return compute(solid, options, angles, certificate, DiagramKind::kMedial);
 }
 
 Result<MedialResult> compute_voronoi_diagram(const Solid& solid, const MedialOptions& options) {
-  return compute(solid, options, {}, DiagramKind::kVoronoi);
+  return compute(solid, options, {}, {}, DiagramKind::kVoronoi);
 }
 
 }  // namespace blum

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "blum/arrangement/diagram_engine.hpp"
+#include "blum/arrangement/part_record.hpp"
 #include "blum/kernel/distance_hint.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/predicates.hpp"
@@ -46,6 +47,12 @@ class ProductionEngine final : public DiagramEngine {
   [[nodiscard]] FaceDiagram face(
       const FaceProblem& problem,
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
+
+  /// The same diagram, with the reasons for it appended to `parts`: all of them where it is decided.
+  [[nodiscard]] FaceDiagram face(
+      const FaceProblem& problem,
+      const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
+      std::vector<PartRecord>& parts);
 
   /// Sites of `candidates` that may govern a point inside the solid in [lo, hi] (closed box).
   /// `hint`: gives an upper bound on the distance from a point to ∂O, or is empty; bounds only

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,15 +67,20 @@ struct MedialResult {
   int threads = 1;  ///< used
 };
 
+/// Takes one line of a certificate (docs/certificate.md), without its end; false stops the writing.
+using CertificateSink = std::function<bool(const std::string&)>;
+
 /// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says
 /// certified == false and lists what is undecided. The time limit
 /// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
 /// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
-/// and all cells that meet the axis are listed.
+/// and all cells that meet the axis are listed. The certificate, where asked for, is written
+/// after the limits have been looked at.
 /// Where the time ends while angles are bounded, these stay wider.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options,
-                                                       const AngleOptions& angles = {});
+                                                       const AngleOptions& angles = {},
+                                                       const CertificateSink& certificate = {});
 
 /// The same for the Voronoi diagram of all sites that are not degenerate, in a box around the solid
 /// (root_box), inside and outside. Certified only if VoronoiCheck holds too. `on_axis` and

@@ -1,0 +1,91 @@
+// `blum verify`: checks a certificate against a model, independently of what made it.
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "blum/kernel/mesh.hpp"
+#include "blum/kernel/solid.hpp"
+#include "blum/kernel/validate.hpp"
+#include "blum/verify/verify.hpp"
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "progress_bar.hpp"
+#include "report.hpp"
+
+namespace blum::app {
+namespace {
+
+struct VerifyArguments {
+  std::string model, certificate;
+};
+
+int run_verify(const VerifyArguments& arguments) {
+  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  if (!mesh) return report(mesh.error());
+  const Result<Solid> solid = build_solid(mesh.value());
+  if (!solid) {
+    return solid.error().code == ErrorCode::kInvalidSolid
+               ? report_invalid(arguments.model, validate_mesh(mesh.value()))
+               : report(solid.error());
+  }
+  std::ifstream certificate(arguments.certificate);
+  if (!certificate) {
+    std::cerr << "blum: error: " << arguments.certificate << ": cannot be opened\n";
+    return kInput;
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const SolidTriangle& t : solid.value().triangle) triangles.push_back(t.vertex);
+
+  const DeferInterrupts deferred;
+  const auto check = [&] {
+    ProgressBar bar;
+    std::size_t leaves = 0;
+    return verify::verify({solid.value().point, triangles}, certificate, [&](double done) {
+      bar.show({++leaves, done});
+      return interrupted_by() == 0;
+    });
+  };
+  const verify::Answer answer = check();
+  if (interrupted_by() != 0) {
+    std::cerr << "blum: interrupted\n";
+    return kSignalBase + interrupted_by();
+  }
+  using Outcome = verify::Answer::Outcome;
+  if (answer.outcome == Outcome::kUnreadable) {
+    std::cerr << "blum: error: " << arguments.certificate << ":" << answer.line << ": "
+              << answer.statement << '\n';
+    return kInput;
+  }
+  std::cout << "checked         " << answer.leaves << " leaves, " << answer.faces << " diagrams of "
+            << answer.parts << " parts and cuts, " << answer.exclusions << " exclusions\n";
+  if (answer.outcome == Outcome::kFalse) {
+    std::cout << "FALSE           " << answer.statement << " (" << arguments.certificate << ":"
+              << answer.line << ")\n";
+    return kFalse;
+  }
+  std::cout << "Betti numbers   " << answer.betti[0] << " " << answer.betti[1] << " "
+            << answer.betti[2] << ", as the solid's\nverified\n";
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_verify_command(CLI::App& app) {
+  CLI::App* verify = app.add_subcommand("verify", "Check a certificate against its model");
+  const auto arguments = std::make_shared<VerifyArguments>();
+  verify->add_option("MODEL", arguments->model, "OFF, OBJ, STL or PLY")->required();
+  verify->add_option("CERTIFICATE", arguments->certificate, "Written by medial --certificate")
+      ->required();
+  verify->footer(
+      R"(Shares numbers and the mesh reader with the rest of blum, and nothing that decides.
+Exit codes: 0 verified; 4 false, or not to be shown: the first such statement is printed;
+2 unreadable.
+
+Examples:
+  blum medial part.off --certificate part.cert
+  blum verify part.off part.cert)");
+  return [arguments] { return run_verify(*arguments); };
+}
+
+}  // namespace blum::app

@@ -1,0 +1,286 @@
+#include "certificate.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "assemble.hpp"
+#include "blum/arrangement/part_record.hpp"
+#include "blum/verify/verify.hpp"
+
+namespace blum {
+namespace {
+
+using Json = nlohmann::json;
+
+class Writer {
+ public:
+  Writer(const SiteGeometry& geometry, const Subdivision& subdivision, const Assembly& assembly,
+         EngineSet& engines, const CertificateSink& sink)
+      : geometry_(geometry),
+        solid_(geometry.solid()),
+        subdivision_(subdivision),
+        assembly_(assembly),
+        engines_(engines),
+        sink_(sink),
+        dropped_(subdivision.leaf.size(), false) {
+    for (const auto l : assembly.undecided) dropped_[l] = true;
+    number_edges();
+  }
+  bool run(const MedialResult& result, const SubdivisionOptions& options);
+
+ private:
+  bool line(const char* name, Json content);
+  void number_edges();
+  [[nodiscard]] Json site(SiteId s) const;
+  [[nodiscard]] Json sites(std::span<const SiteId> list) const;
+  [[nodiscard]] Json excluded(std::span<const SiteId> from, std::span<const SiteId> kept) const;
+  [[nodiscard]] std::optional<Json> diagram(const FaceDiagram& face, const Leaf& leaf);
+  [[nodiscard]] Json graph(const FaceDiagram& face) const;
+  [[nodiscard]] static Json cells(const CellComplex& complex);
+  [[nodiscard]] Json header(const SubdivisionOptions& options) const;
+  bool write_tree(std::uint32_t node, std::span<const SiteId> candidates);
+  bool write_leaf(std::uint32_t index, std::span<const SiteId> candidates);
+
+  const SiteGeometry& geometry_;
+  const Solid& solid_;
+  const Subdivision& subdivision_;
+  const Assembly& assembly_;
+  EngineSet& engines_;
+  const CertificateSink& sink_;
+  std::vector<bool> dropped_;
+  std::vector<std::uint32_t> edge_number_;
+  std::size_t lines_ = 0;
+};
+
+bool Writer::line(const char* name, Json content) {
+  ++lines_;
+  Json record;
+  record[name] = std::move(content);
+  return sink_(record.dump());
+}
+
+/// Edges are numbered as they first appear in the triangles.
+void Writer::number_edges() {
+  constexpr auto kNone = 0xffffffffu;
+  edge_number_.assign(solid_.edge.size(), kNone);
+  std::uint32_t next = 0;
+  for (const SolidTriangle& t : solid_.triangle)
+    for (const auto e : t.edge)
+      if (edge_number_[e] == kNone) edge_number_[e] = next++;
+}
+
+Json Writer::site(SiteId s) const {
+  const SiteIndex& index = geometry_.index();
+  if (index.kind(s) != SiteKind::kEdge) return s.value;
+  return solid_.point.size() + edge_number_[index.element(s)];
+}
+
+Json Writer::sites(std::span<const SiteId> list) const {
+  Json j = Json::array();
+  for (const SiteId s : list) j.push_back(site(s));
+  return j;
+}
+
+Json Writer::excluded(std::span<const SiteId> from, std::span<const SiteId> kept) const {
+  Json j = Json::array();
+  for (const SiteId s : from)
+    if (std::ranges::find(kept, s) == kept.end()) j.push_back(site(s));
+  return j;
+}
+
+Json Writer::graph(const FaceDiagram& face) const {
+  using Kind = FaceNode::Kind;
+  std::vector<bool> loop(face.node.size(), false);
+  for (const FaceArc& a : face.arc)
+    if (a.from == a.to) loop[a.from] = true;
+  Json events = Json::array(), arcs = Json::array();
+  std::vector<std::size_t> number(face.node.size(), 0);
+  for (std::size_t n = 0; n < face.node.size(); ++n) {
+    const FaceNode& node = face.node[n];
+    if ((node.kind != Kind::kEvent && node.kind != Kind::kRim) || loop[n]) continue;
+    number[n] = events.size();
+    events.push_back(
+        {node.kind == Kind::kRim ? "rim" : "event", node.u0, node.u1, node.v0, node.v1});
+  }
+  const auto end = [&](std::uint32_t n) -> Json {
+    const FaceNode& node = face.node[n];
+    if (node.kind == Kind::kSide) return Json::array({"side", node.side, node.breakpoint});
+    if (node.kind == Kind::kConvexEdge)
+      return Json::array({"edge", edge_number_[node.boundary_edge]});
+    if (loop[n]) return Json::array({"loop"});
+    return Json::array({"event", number[n]});
+  };
+  for (const FaceArc& a : face.arc)
+    arcs.push_back(Json::array({end(a.from), end(a.to), site(a.left), site(a.right)}));
+  return {{"events", events}, {"arcs", arcs}};
+}
+
+/// Cells by where they come from.
+Json Writer::cells(const CellComplex& complex) {
+  std::map<std::string, std::size_t> count;
+  for (const char* name : {"ties", "events", "rims", "convex points", "convex vertices", "apices",
+                           "arcs", "convex edges", "spokes"})
+    count[name] = 0;
+  for (const ComplexVertex& v : complex.vertex) switch (v.kind) {
+      case ComplexVertex::Kind::kArcPoint:
+        ++count["ties"];
+        break;
+      case ComplexVertex::Kind::kEvent:
+        ++count["events"];
+        break;
+      case ComplexVertex::Kind::kRim:
+        ++count["rims"];
+        break;
+      case ComplexVertex::Kind::kConvexEdge:
+        ++count["convex points"];
+        break;
+      case ComplexVertex::Kind::kBoundary:
+        ++count["convex vertices"];
+        break;
+      case ComplexVertex::Kind::kCone:
+        ++count["apices"];
+        break;
+    }
+  for (const ComplexEdge& e : complex.edge)
+    ++count[e.kind == ComplexEdge::Kind::kArc          ? "arcs"
+            : e.kind == ComplexEdge::Kind::kConvexEdge ? "convex edges"
+                                                       : "spokes"];
+  return count;
+}
+
+/// Null where the engine does not decide it as it did before.
+std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
+  std::vector<PartRecord> records;
+  const FaceDiagram again = engines_.production().face(
+      FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
+  if (again.status != FaceStatus::kDecided) return std::nullopt;
+  Json j = Json::array();
+  for (const PartRecord& r : records) {
+    using Kind = PartRecord::Kind;
+    switch (r.kind) {
+      case Kind::kCutU:
+      case Kind::kCutV:
+        j.push_back({r.kind == Kind::kCutU ? "u" : "v", r.cut});
+        break;
+      case Kind::kOutside:
+        j.push_back(Json::array({"outside"}));
+        break;
+      case Kind::kStar:
+      case Kind::kFeet:
+      case Kind::kBands:
+      case Kind::kFeetBands: {
+        Json directions = Json::array();
+        for (const auto& [s, w] : r.direction) {
+          if (w.line)
+            directions.push_back({site(s), *w.line});
+          else
+            directions.push_back({site(s), w.u, w.v});
+        }
+        const bool by_feet = r.kind == Kind::kFeet || r.kind == Kind::kFeetBands;
+        j.push_back({by_feet ? "feet" : "star", sites(r.sites), directions});
+        if (r.kind == Kind::kBands || r.kind == Kind::kFeetBands) j.back().push_back(site(r.base));
+        break;
+      }
+      case Kind::kCone:
+        j.push_back({"cone", sites(r.sites), r.vertex});
+        break;
+      case Kind::kRim:
+        j.push_back(
+            {"rim", sites(r.sites), r.vertex, edge_number_[r.edge[0]], edge_number_[r.edge[1]]});
+        break;
+      case Kind::kExact:
+        j.push_back({"exact", sites(r.sites)});
+        break;
+    }
+  }
+  return Json{{"parts", std::move(j)}, {"graph", graph(again)}};
+}
+
+Json Writer::header(const SubdivisionOptions& options) const {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const SolidTriangle& t : solid_.triangle) triangles.push_back(t.vertex);
+  const Box3& box = subdivision_.node[0].box;
+  return {
+      {"format", "blum-certificate"},
+      {"version", 1},
+      {"model",
+       {{"points", solid_.point.size()},
+        {"triangles", triangles.size()},
+        {"fingerprint", verify::fingerprint({solid_.point, triangles})}}},
+      {"options",
+       {{"seed", options.seed},
+        {"resolve", options.resolve},
+        {"max_leaf_diameter", options.max_leaf_diameter}}},
+      {"box", {{"low", {box.lo.x, box.lo.y, box.lo.z}}, {"high", {box.hi.x, box.hi.y, box.hi.z}}}}};
+}
+
+bool Writer::write_leaf(std::uint32_t index, std::span<const SiteId> candidates) {
+  const Leaf& leaf = subdivision_.leaf[index];
+  if (leaf.theorem == LeafTheorem::kOutside) return line("leaf", {{"theorem", "outside"}});
+  const auto undecided = [&](const char* reason) {
+    return line("leaf", {{"theorem", "undecided"}, {"reason", reason}});
+  };
+  if (leaf.theorem == LeafTheorem::kUndecided) return undecided(undecided_reason_name(leaf.reason));
+  if (dropped_[index]) return undecided(undecided_reason_name(UndecidedReason::kFaceUndecided));
+  Json faces = Json::array();
+  for (const auto& face : leaf.face) {
+    std::optional<Json> p = diagram(*face, leaf);
+    if (!p) return undecided("a face was decided with other candidates only");
+    faces.push_back(*std::move(p));
+  }
+  const bool conical = leaf.theorem == LeafTheorem::kConical;
+  Json j = {{"theorem", conical ? "conical" : "boundary"},
+            {"excluded", excluded(candidates, leaf.candidates)},
+            {"faces", std::move(faces)}};
+  if (conical) j["vertex"] = leaf.boundary_vertex;
+  return line("leaf", std::move(j));
+}
+
+bool Writer::write_tree(std::uint32_t index, std::span<const SiteId> candidates) {
+  const CellNode& node = subdivision_.node[index];
+  if (node.axis < 0) return write_leaf(node.leaf, candidates);
+  // What the subdivision excluded here, too.
+  const std::vector<SiteId> kept =
+      engines_.production().prune(candidates, node.box.lo, node.box.hi);
+  return line("node",
+              {{"axis", node.axis}, {"cut", node.cut}, {"excluded", excluded(candidates, kept)}}) &&
+         write_tree(node.child, kept) && write_tree(node.child + 1, kept);
+}
+
+bool Writer::run(const MedialResult& result, const SubdivisionOptions& options) {
+  if (!line("header", header(options)) || !write_tree(0, geometry_.candidates())) return false;
+  if (result.certified) {
+    for (const OwnInterface& i : assembly_.own_interface) {
+      const Rect& r = i.diagram->rect;
+      std::optional<Json> p = diagram(*i.diagram, subdivision_.leaf[i.leaf]);
+      if (!p) continue;  // the checker will say that it is missing
+      (*p)["rect"] = {r.axis, r.level, r.u0, r.u1, r.v0, r.v1};
+      (*p)["leaf"] = i.leaf;
+      if (!line("interface", *std::move(p))) return false;
+    }
+    std::map<std::uint32_t, std::size_t> cones;
+    for (const ComplexCone& c : result.complex.cone) ++cones[c.leaf];
+    const auto euler =
+        static_cast<long>(result.complex.vertex.size() + result.complex.triangle.size()) -
+        static_cast<long>(result.complex.edge.size());
+    if (!line("complex", {{"euler", euler},
+                          {"cells", cells(result.complex)},
+                          {"cones", Json(std::vector(cones.begin(), cones.end()))}}) ||
+        !line("betti", result.betti))
+      return false;
+  }
+  return line("end", {{"certified", result.certified}, {"lines", lines_ + 1}});
+}
+
+}  // namespace
+
+bool write_certificate(const SiteGeometry& geometry, const Subdivision& subdivision,
+                       const Assembly& assembly, const MedialResult& result,
+                       const SubdivisionOptions& options, EngineSet& engines,
+                       const CertificateSink& sink) {
+  return Writer(geometry, subdivision, assembly, engines, sink).run(result, options);
+}
+
+}  // namespace blum

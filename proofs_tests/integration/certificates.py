@@ -1,0 +1,59 @@
+"""Certificates as a user meets them: written, summarised, verified, refused."""
+
+from tool import ToolTest, main
+
+
+class Certificates(ToolTest):
+    def certify(self, shape, *options, code=0):
+        self.expect(self.blum("make", *shape, "-o", "m.off"), 0)
+        self.expect(self.blum("medial", "m.off", "-o", "x", "--certificate", "m.cert", *options),
+                    code)
+        self.assertNotIn("m.cert.unfinished", self.names())
+
+    def test_written_and_verified(self):
+        for shape in (["lbracket", "--rotate", "7", "--triangulate", "3"], ["voids", "2"],
+                      ["plate", "2"], ["torus", "8", "4", "--shuffle", "5"]):
+            with self.subTest(shape=shape):
+                self.certify(shape)
+                result = self.blum("verify", "m.off", "m.cert")
+                self.expect(result, 0)
+                self.assertIn("verified\n", result.stdout)
+                summary = self.blum("certificate", "m.cert")
+                self.expect(summary, 0)
+                self.assertIn("Betti numbers", summary.stdout)
+
+    def test_other_model_is_false(self):
+        self.certify(["cuboid"])
+        self.expect(self.blum("make", "lbracket", "-o", "other.off"), 0)
+        result = self.blum("verify", "other.off", "m.cert")
+        self.expect(result, 4)
+        self.assertIn("FALSE           the certificate is of another model", result.stdout)
+
+    def test_cut_short_is_unreadable(self):
+        self.certify(["cuboid"])
+        lines = (self.folder / "m.cert").read_text().splitlines(keepends=True)
+        for kept in (0, 1, len(lines) - 1):
+            self.file("short.cert", "".join(lines[:kept]))
+            for command in (["verify", "m.off", "short.cert"], ["certificate", "short.cert"]):
+                result = self.blum(*command)
+                self.expect(result, 2)
+                self.assertEqual(result.stdout, "")
+
+    def test_missing_file_and_no_certificate(self):
+        self.certify(["cuboid"])
+        for name in ("none.cert", "m.off"):
+            self.expect(self.blum("verify", "m.off", name), 2)
+            self.expect(self.blum("certificate", name), 2)
+
+    def test_not_certified_is_false_and_says_what_is_missing(self):
+        self.certify(["torus", "8", "4"], "--max-depth", "1", code=3)
+        result = self.blum("verify", "m.off", "m.cert")
+        self.expect(result, 4)
+        self.assertIn("leaf 0 is undecided (depth)", result.stdout)
+        summary = self.blum("certificate", "m.cert")
+        self.expect(summary, 0)
+        self.assertIn("missing         leaves undecided: 2 depth", summary.stdout)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,46 @@
+/// Sites that govern nothing in a box, and pairs that do not tie there: bounds by balls, on halves
+/// of the box where the whole does not suffice.
+#pragma once
+
+#include "sites.hpp"
+
+namespace blum::verify {
+
+/// Squared distance to a carrier about a point c: value + gradient.(x - c) + (x - c).A (x - c).
+struct Quadratic {
+  Ball value;
+  BallVector gradient;
+  std::array<BallVector, 3> matrix;
+};
+
+class Exclusion {
+ public:
+  explicit Exclusion(const Sites& sites);
+
+  /// Is it certain that s governs no point of box ∩ O? `against`: sites whose distances are bounds.
+  /// Halves the box where needed, and looks at `most` boxes at most.
+  [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against,
+                                     int most = 2000) const;
+  /// Those of `candidates` that may govern a point of box ∩ O, by one look at the whole box.
+  [[nodiscard]] std::vector<Site> remaining(std::span<const Site> candidates,
+                                            const Box3& box) const;
+  /// Is it certain that no point of box ∩ O is governed by both?
+  [[nodiscard]] bool never_tie(Site a, Site b, const Box3& box) const;
+
+  [[nodiscard]] const Sites& sites() const { return sites_; }
+
+ private:
+  struct View;  // of a box: centre, half widths, bound on the distance at the centre
+  [[nodiscard]] View view(const Box3& box, std::span<const Site> against) const;
+  [[nodiscard]] Quadratic quadratic(Site s, const Point3& center) const;
+  /// d_a > d_b (carriers) wherever a governs; the conclusion "a governs nothing" needs covers(b).
+  [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
+  [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
+  [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
+                            int& looks) const;
+
+  const Sites& sites_;
+  std::vector<BallVector> unit_;  // of faces and edges
+};
+
+}  // namespace blum::verify

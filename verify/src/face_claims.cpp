@@ -1,0 +1,165 @@
+#include "face_claims.hpp"
+
+#include <algorithm>
+
+#include "failure.hpp"
+
+namespace blum::verify {
+namespace {
+
+/// The direction as an exact vector.
+Vec<Rational> vector_of(const Part& part, const Direction& d) {
+  const int u = u_axis(part.axis), v = v_axis(part.axis);
+  Vec<Rational> w{};
+  if (d.line) {
+    const Vec<Rational> along =
+        part.exclusion.sites().shape().along<Rational>((*d.line)[0], (*d.line)[1]);
+    w[u] = -along[v];
+    w[v] = along[u];
+  } else {
+    w[u] = d.u;
+    w[v] = d.v;
+  }
+  return w;
+}
+
+/// Sign of (p - q).w for two vertices.
+int ahead(const Shape& shape, const Vec<Rational>& w, std::uint32_t q, std::uint32_t p) {
+  return p == q ? 0 : sgn(inner(shape.along<Rational>(q, p), w));
+}
+
+/// D'': a plane across w parts a (ahead) from b; where they meet it goes through a common corner.
+bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
+                const Vec<Rational>& w) {
+  const auto common = common_corners(shape, a, b);
+  if (common.empty())
+    return std::ranges::all_of(shape.corners(a), [&](std::uint32_t p) {
+      return std::ranges::all_of(shape.corners(b),
+                                 [&](std::uint32_t q) { return ahead(shape, w, q, p) > 0; });
+    });
+  const auto v = common.front();
+  const auto parted = [&](Site s, int sign) {
+    int on_plane = 0;
+    for (const auto p : shape.corners(s)) {
+      if (p == v) continue;
+      const int side = ahead(shape, w, v, p);
+      if (side == sign) continue;
+      if (side != 0 || ++on_plane > 1 || feet.vertex(p) || feet.edge(v, p)) return false;
+    }
+    return true;
+  };
+  return parted(a, 1) && parted(b, -1);
+}
+
+}  // namespace
+
+void check_directions(const Part& part, const Groups& groups, const SharedFeet& feet,
+                      const Claim& claim) {
+  if (groups.count < 2) return;
+  const Sites& sites = part.exclusion.sites();
+  std::vector<std::optional<Vec<Rational>>> w(groups.count);
+  for (const auto& [site, direction] : claim.direction) {
+    const auto g = groups.find(part.sites, site);
+    if (g < groups.count) w[g] = vector_of(part, direction);
+  }
+  std::optional<std::uint32_t> base;
+  if (claim.base) base = groups.find(part.sites, *claim.base);
+  const BoxCorners corners(part.box);
+  for (std::size_t i = 0; i < part.sites.size(); ++i)
+    for (std::size_t j = 0; j < part.sites.size(); ++j) {
+      const Site a = part.sites[i], b = part.sites[j];
+      const auto g = groups.of[i];
+      // Sites of two groups that never tie essentially govern no point together (Lemma 1).
+      if (g == groups.of[j] || base == g || sites.never_essential(a, b) ||
+          part.exclusion.never_tie(a, b, part.box))
+        continue;
+      require(!base || base == groups.of[j], "bands: two groups beside the base may tie");
+      require(w[g].has_value(), "Theorem D': a group without direction");
+      const bool gains = std::ranges::all_of(
+          corners, [&](const Point3& x) { return sites.slope(x, a, b, *w[g]) < 0; });
+      require(gains || (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
+              "Theorem D': a group does not gain along its direction");
+    }
+}
+
+void check_cone(const Part& part, std::uint32_t v) {
+  const Sites& sites = part.exclusion.sites();
+  const Shape& shape = sites.shape();
+  require(v < shape.point.size() && shape.point[v][part.axis] != part.box.lo[part.axis],
+          "Theorem G: the vertex lies in the plane");
+  for (const Site s : part.sites)
+    require(shape.corners(s).has(v), "Theorem G: a site does not meet the vertex");
+  const BoxCorners corners(part.box);
+  // Squared distance from v to the opposite sides of its triangles, the least: a sphere about v of
+  // this radius meets the sites at v in parts of their cones.
+  std::optional<Rational> reach;
+  for (const auto t : shape.triangles_at[v]) {
+    const auto& c = shape.triangle[t].vertex;
+    const auto k = static_cast<std::size_t>(std::ranges::find(c, v) - c.begin());
+    const Vec<Rational> n = shape.normal<Rational>(t),
+                        side = shape.along<Rational>(c[(k + 1) % 3], c[(k + 2) % 3]);
+    const Rational height = inner(n, n) / inner(side, side);
+    if (!reach || height < *reach) reach = height;
+  }
+  const auto all = [&](auto&& holds) { return std::ranges::all_of(corners, holds); };
+  const auto from_v = [&](const Point3& x) {
+    return minus(exactly<Rational>(x), exactly<Rational>(shape.point[v]));
+  };
+  for (const auto t : shape.triangles_at[v]) {
+    const auto& c = shape.triangle[t].vertex;
+    const auto k = static_cast<std::size_t>(std::ranges::find(c, v) - c.begin());
+    const auto conditions = sites.conditions(shape.face_site(t));
+    const auto never = [&](std::size_t side) {
+      return all([&](const Point3& x) { return sites.sign(conditions[side], x) > 0; });
+    };
+    if (never(k) || never((k + 2) % 3)) continue;
+    const Vec<Rational> n = shape.normal<Rational>(t);
+    const Rational nn = inner(n, n);
+    require(all([&](const Point3& x) {
+              const Vec<Rational> d = from_v(x);
+              const Rational h = inner(d, n);
+              return inner(d, d) - h * h / nn < *reach;
+            }),
+            "Theorem G: a foot may leave its triangle");
+  }
+  for (const auto e : shape.edges_at[v]) {
+    const auto& ends = shape.edge[e].vertex;
+    const Vec<Rational> u = shape.along<Rational>(v, ends[ends[0] == v ? 1 : 0]);
+    if (all([&](const Point3& x) { return sgn(inner(from_v(x), u)) < 0; })) continue;
+    require(all([&](const Point3& x) {
+              const Rational h = inner(from_v(x), u);
+              return h * h / inner(u, u) < *reach;
+            }),
+            "Theorem G: a foot may leave its edge");
+  }
+}
+
+void check_rim(const Part& part, std::uint32_t v, const std::array<std::uint32_t, 2>& edge) {
+  const Shape& shape = part.exclusion.sites().shape();
+  const auto away = [&](std::uint32_t e) {
+    require(e < shape.edge.size(), "rim: no such edge");
+    const auto& ends = shape.edge[e].vertex;
+    require(ends[0] == v || ends[1] == v, "rim: the edges do not meet in the vertex");
+    return shape.along<Rational>(v, ends[ends[0] == v ? 1 : 0]);
+  };
+  const Vec<Rational> rim = outer(away(edge[0]), away(edge[1]));
+  for (const Site s : part.sites) {
+    require(shape.corners(s).has(v), "rim: a site does not meet the vertex");
+    const auto i = shape.element(s);
+    if (shape.kind(s) == Kind::kEdge) {
+      require(sgn(inner(away(i), rim)) == 0, "rim: an edge is not orthogonal to it");
+    } else if (shape.kind(s) == Kind::kFace) {
+      for (const Rational& x : outer(shape.normal<Rational>(i), rim))
+        require(sgn(x) == 0, "rim: a face is not orthogonal to it");
+    }
+  }
+  require(sgn(rim[part.axis]) != 0, "rim: parallel to the plane");
+  const Vec<Rational> o = exactly<Rational>(shape.point[v]);
+  const Rational t = (Rational(part.box.lo[part.axis]) - o[part.axis]) / rim[part.axis];
+  for (const int k : {u_axis(part.axis), v_axis(part.axis)}) {
+    const Rational x = o[k] + t * rim[k];
+    require(x > part.box.lo[k] && x < part.box.hi[k], "rim: it misses the part");
+  }
+}
+
+}  // namespace blum::verify

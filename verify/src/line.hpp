@@ -1,0 +1,66 @@
+/// Where the governors change along an axis-parallel segment: computed here, from nothing but the
+/// sites, so that all that meets in the segment agrees about it.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "groups.hpp"
+
+namespace blum::verify {
+
+/// The end of a stretch inside O: a double, or the crossing of a triangle, enclosed from outside.
+struct StretchEnd {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  double t = 0;
+  std::uint32_t triangle = kNone;
+  Site label = 0;  ///< a governor there
+};
+
+struct Change {
+  bool boundary = false;       ///< the segment crosses ∂O in `triangle`; else an essential tie
+  std::uint32_t triangle = 0;  ///< boundary
+  StretchEnd below, above;     ///< a tie lies between them, the only one
+};
+
+/// Changes in order, and the open pieces between them (one more).
+struct Line {
+  struct Piece {
+    bool inside = false;
+    Site label = 0;  ///< inside: a governor of points of the piece
+  };
+  Segment segment;
+  std::vector<Change> change;
+  std::vector<Piece> piece;
+};
+
+[[nodiscard]] inline Point3 at(const Segment& s, double t) { return point_on(s.axis, t, s.u, s.v); }
+
+class LineSolver {
+ public:
+  explicit LineSolver(const Exclusion& exclusion) : exclusion_(exclusion) {}
+
+  /// candidates: all governors of points of segment ∩ O; triangles: all that meet it. Throws
+  /// Failure where the segment is not in general position, or bisection does not decide.
+  [[nodiscard]] Line solve(const Segment& segment, bool starts_inside,
+                           std::span<const Site> candidates,
+                           std::span<const std::uint32_t> triangles) const;
+
+  /// The two parts of a line at m, which agree with it. Throws like solve.
+  [[nodiscard]] std::array<Line, 2> cut(const Line& line, double m,
+                                        std::span<const Site> candidates) const;
+
+  /// A governor of x, if all governors of x are ties that are never essential (Lemma 1).
+  [[nodiscard]] std::optional<Site> label(const Point3& x, std::span<const Site> candidates) const;
+
+ private:
+  void ties(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+            std::span<const Site> candidates, std::vector<Change>& out, int depth) const;
+  [[nodiscard]] bool at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
+                                 std::span<const Site> sites, const Groups& groups,
+                                 const SharedFeet& feet, std::vector<Change>& out) const;
+
+  const Exclusion& exclusion_;
+};
+
+}  // namespace blum::verify

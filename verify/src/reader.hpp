@@ -1,0 +1,48 @@
+/// Reads the records of a certificate (docs/certificate.md), one a line.
+#pragma once
+
+#include <istream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "graph.hpp"
+
+namespace blum::verify {
+
+/// The text is not a certificate, or is cut short.
+class Unreadable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::istream& in) : in_(in) {}
+
+  /// The next record's content; its name must be `name`. Throws Unreadable.
+  [[nodiscard]] nlohmann::json next(const char* name);
+  /// Is the next record called `name`?
+  [[nodiscard]] bool at(const char* name);
+  /// Throws Unreadable unless the text ends here.
+  void end();
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  void fill();
+  std::istream& in_;
+  nlohmann::json record_;  // null: not read yet
+  std::size_t line_ = 0;
+};
+
+/// Finite. Throws Unreadable.
+[[nodiscard]] double read_number(const nlohmann::json& j);
+/// A whole number from 0, less than `limit`. Throws Unreadable.
+[[nodiscard]] std::uint32_t read_index(const nlohmann::json& j, std::size_t limit);
+[[nodiscard]] Box3 read_box(const nlohmann::json& j);
+/// Sorted; less than `limit`. Throws Unreadable.
+[[nodiscard]] std::vector<Site> read_sites(const nlohmann::json& j, std::uint32_t limit);
+[[nodiscard]] std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape);
+[[nodiscard]] Graph read_graph(const nlohmann::json& j, const Shape& shape);
+
+}  // namespace blum::verify

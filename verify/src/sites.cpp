@@ -1,0 +1,251 @@
+#include "sites.hpp"
+
+#include <algorithm>
+
+namespace blum::verify {
+
+BoxCorners::BoxCorners(const Box3& box) {
+  for (int bits = 0; bits < 8; ++bits) {
+    Point3 p;
+    bool repeated = false;
+    for (int k = 0; k < 3; ++k) {
+      const bool high = (bits >> k & 1) != 0;
+      p[k] = high ? box.hi[k] : box.lo[k];
+      repeated |= high && box.hi[k] == box.lo[k];
+    }
+    if (!repeated) point[count++] = p;
+  }
+}
+
+Sites::Sites(const Shape& shape) : shape_(shape) {
+  for (Site s = 0; s < shape.sites(); ++s) condition_.push_back(make_conditions(s));
+  for (std::uint32_t v = 0; v < shape.point.size(); ++v) cone_.push_back(vertex_cone(shape, v));
+}
+
+std::vector<Condition> Sites::make_conditions(Site s) const {
+  using Type = Condition::Type;
+  const auto i = shape_.element(s);
+  std::vector<Condition> r;
+  switch (shape_.kind(s)) {
+    case Kind::kVertex:
+      for (const auto e : shape_.edges_at[i]) {
+        const auto& ends = shape_.edge[e].vertex;
+        r.push_back({Type::kAlong, i, ends[ends[0] == i ? 1 : 0], 0, i});
+      }
+      break;
+    case Kind::kEdge: {
+      const auto [a, b] = shape_.edge[i].vertex;
+      r = {{Type::kAlong, a, b, 0, b}, {Type::kAlong, b, a, 0, a}};
+      r.push_back({Type::kInFace, a, b, shape_.edge[i].triangle[0], a});
+      r.push_back({Type::kInFace, b, a, shape_.edge[i].triangle[1], a});
+      break;
+    }
+    case Kind::kFace: {
+      const auto& v = shape_.triangle[i].vertex;
+      for (int k = 0; k < 3; ++k) r.push_back({Type::kPrism, v[k], v[(k + 1) % 3], i, v[k]});
+      r.push_back({Type::kPlane, 0, 0, i, v[0]});
+      break;
+    }
+  }
+  return r;
+}
+
+std::size_t Sites::own_conditions(Site s) const {
+  switch (shape_.kind(s)) {
+    case Kind::kVertex:
+      return 0;
+    case Kind::kEdge:
+      return 2;
+    case Kind::kFace:
+      break;
+  }
+  return 3;
+}
+
+template <class N>
+Vec<N> Sites::direction(const Condition& c) const {
+  switch (c.type) {
+    case Condition::Type::kAlong:
+      return shape_.along<N>(c.a, c.b);
+    case Condition::Type::kPrism:
+      return outer(shape_.along<N>(c.a, c.b), shape_.normal<N>(c.c));
+    case Condition::Type::kInFace:
+      return outer(shape_.normal<N>(c.c), shape_.along<N>(c.a, c.b));
+    case Condition::Type::kPlane:
+      break;
+  }
+  return shape_.normal<N>(c.c);
+}
+
+int Sites::sign(const Condition& c, const Point3& x) const {
+  return decide([&]<class N>(const N&) {
+    return sign_of(inner(direction<N>(c), minus(exactly<N>(x), exactly<N>(shape_.point[c.base]))));
+  });
+}
+
+bool Sites::in_domain(const Point3& x, Site s) const {
+  return std::ranges::all_of(conditions(s), [&](const Condition& c) { return sign(c, x) <= 0; });
+}
+
+bool Sites::beyond(Site s, const Box3& box) const {
+  const BoxCorners corners(box);
+  return std::ranges::any_of(conditions(s), [&](const Condition& c) {
+    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) > 0; });
+  });
+}
+
+bool Sites::beyond_two(Site s, const Box3& box) const {
+  // p <= 0 and q <= 0 meet in no point of the box iff r p + q > 0 at all corners for some r > 0.
+  const BoxCorners corners(box);
+  std::vector<std::vector<Rational>> value;  // by condition, corner
+  for (const Condition& c : conditions(s)) {
+    value.emplace_back();
+    const Vec<Rational> w = direction<Rational>(c);
+    for (const Point3& x : corners)
+      value.back().push_back(
+          inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape_.point[c.base]))));
+  }
+  for (std::size_t i = 0; i < value.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Rational low = 0;
+      std::optional<Rational> high;
+      bool possible = true;
+      for (std::size_t k = 0; k < value[i].size() && possible; ++k) {
+        const Rational &p = value[i][k], &q = value[j][k];
+        if (sgn(p) == 0) {
+          possible = sgn(q) > 0;
+          continue;
+        }
+        const Rational r = -q / p;
+        if (sgn(p) > 0)
+          low = std::max(low, r);
+        else
+          high = high ? std::min(*high, r) : r;
+      }
+      if (possible && (!high || low < *high)) return true;
+    }
+  return false;
+}
+
+bool Sites::covers(Site s, const Box3& box) const {
+  const BoxCorners corners(box);
+  auto own = conditions(s);
+  if (shape_.kind(s) != Kind::kFace) own = own.first(own_conditions(s));
+  return std::ranges::all_of(own, [&](const Condition& c) {
+    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
+  });
+}
+
+template <class N>
+Sites::Fraction<N> Sites::squared_distance(const Vec<N>& x, Site s) const {
+  const auto i = shape_.element(s);
+  const Vec<N> d = minus(x, exactly<N>(shape_.point[*shape_.corners(s).begin()]));
+  const N two(2.0);
+  switch (shape_.kind(s)) {
+    case Kind::kVertex:
+      return {inner(d, d), N(1.0), times(d, two)};
+    case Kind::kEdge: {
+      const Vec<N> u = shape_.along<N>(shape_.edge[i].vertex[0], shape_.edge[i].vertex[1]);
+      const Vec<N> m = outer(d, u);
+      return {inner(m, m), inner(u, u), times(outer(u, m), two)};
+    }
+    case Kind::kFace:
+      break;
+  }
+  const Vec<N> n = shape_.normal<N>(i);
+  const N h = inner(n, d);
+  return {N(h * h), inner(n, n), times(n, N(two * h))};
+}
+
+int Sites::compare(const Point3& x, Site a, Site b) const {
+  return decide([&]<class N>(const N&) {
+    const Vec<N> p = exactly<N>(x);
+    const auto fa = squared_distance(p, a), fb = squared_distance(p, b);
+    return sign_of(N(fa.numerator * fb.denominator - fb.numerator * fa.denominator));
+  });
+}
+
+int Sites::compare_heights(const Point3& x, Site a, Site b) const {
+  return decide([&]<class N>(const N&) {
+    const auto height = [&](Site s, N& squared_length) {
+      const Vec<N> n = shape_.normal<N>(shape_.element(s));
+      squared_length = inner(n, n);
+      return inner(n, minus(exactly<N>(x), exactly<N>(shape_.point[*shape_.corners(s).begin()])));
+    };
+    N s(0.0), t(0.0);
+    const N p = height(a, s), q = height(b, t);
+    return compare_over_roots(p, s, q, t);
+  });
+}
+
+namespace {
+template <class N>
+Vec<N> as(const Vec<Rational>& w);
+template <>
+Vec<Ball> as<Ball>(const Vec<Rational>& w) {
+  return {enclose(w[0]), enclose(w[1]), enclose(w[2])};
+}
+template <>
+Vec<Rational> as<Rational>(const Vec<Rational>& w) {
+  return w;
+}
+}  // namespace
+
+int Sites::slope(const Point3& x, Site a, Site b, const Vec<Rational>& w) const {
+  const bool faces = shape_.kind(a) == Kind::kFace && shape_.kind(b) == Kind::kFace;
+  return decide([&]<class N>(const N&) {
+    const Vec<N> v = as<N>(w);
+    if (faces) {
+      // Inside both planes d = -height / |n|.
+      const Vec<N> na = shape_.normal<N>(shape_.element(a)),
+                   nb = shape_.normal<N>(shape_.element(b));
+      return compare_over_roots(inner(nb, v), inner(nb, nb), inner(na, v), inner(na, na));
+    }
+    const auto fa = squared_distance(exactly<N>(x), a), fb = squared_distance(exactly<N>(x), b);
+    return sign_of(
+        N(inner(fa.gradient, v) * fb.denominator - inner(fb.gradient, v) * fa.denominator));
+  });
+}
+
+int Sites::outward(const Point3& x, Site a, const Vec<Rational>& w) const {
+  // grad d^2 = 2 (x - foot).
+  return decide([&]<class N>(const N&) {
+    return sign_of(inner(squared_distance(exactly<N>(x), a).gradient, as<N>(w)));
+  });
+}
+
+std::vector<Site> Sites::governors(const Point3& x, std::span<const Site> candidates) const {
+  std::vector<Site> best;
+  for (const Site s : candidates) {
+    const int c = best.empty() ? -1 : compare(x, s, best.front());
+    if (c > 0 || !in_domain(x, s)) continue;
+    if (c < 0) best.clear();
+    best.push_back(s);
+  }
+  return best;
+}
+
+bool Sites::behind(Site site, Site other) const {
+  const auto i = shape_.element(site);
+  const auto outside = [&](std::uint32_t t) {
+    return std::ranges::all_of(shape_.corners(other), [&](std::uint32_t v) {
+      return shape_.side_of_plane(t, shape_.point[v]) >= 0;
+    });
+  };
+  switch (shape_.kind(site)) {
+    case Kind::kVertex:
+      return std::ranges::none_of(
+                 shape_.edges_at[i],
+                 [&](std::uint32_t e) { return shape_.edge[e].bend == Bend::kConvex; }) &&
+             std::ranges::all_of(shape_.triangles_at[i], outside);
+    case Kind::kEdge:
+      return std::ranges::all_of(shape_.edge[i].triangle, outside);
+    case Kind::kFace:
+      break;
+  }
+  return outside(i);
+}
+
+bool Sites::never_essential(Site a, Site b) const { return a == b || behind(a, b) || behind(b, a); }
+
+}  // namespace blum::verify

@@ -1,0 +1,336 @@
+#include "blum/verify/verify.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <istream>
+#include <map>
+
+#include "failure.hpp"
+#include "glue.hpp"
+#include "inside.hpp"
+#include "reader.hpp"
+
+namespace blum::verify {
+namespace {
+
+constexpr const char* kFormat = "blum-certificate";
+constexpr int kVersion = 1, kMaxDepth = 1000;
+constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
+constexpr std::size_t kMostCells = 0xffffffffu;
+
+class Interrupted {};
+
+double volume(const Box3& b) { return (b.hi.x - b.lo.x) * (b.hi.y - b.lo.y) * (b.hi.z - b.lo.z); }
+
+class Checker {
+ public:
+  Checker(const Shape& shape, std::istream& in, const std::function<bool(double)>& progress,
+          Answer& answer)
+      : shape_(shape),
+        sites_(shape),
+        exclusion_(sites_),
+        lines_(exclusion_),
+        reader_(in),
+        progress_(progress),
+        answer_(answer) {}
+  void run(const std::string& fingerprint);
+  [[nodiscard]] std::size_t line() const { return reader_.line(); }
+
+ private:
+  /// Sites that may govern a cell as far as the certificate says, and those excluded above it of
+  /// which that is still to be shown: an exclusion is true of a cell if it is of all leaves in it.
+  struct Candidates {
+    std::vector<Site> kept, pending;
+  };
+  void check_tree(std::uint32_t node, Candidates candidates,
+                  const std::vector<std::uint32_t>& triangles, int depth);
+  void check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
+                  std::vector<std::uint32_t> triangles);
+  void exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates, int looks);
+  [[nodiscard]] std::vector<std::uint32_t> meeting(const std::vector<std::uint32_t>& triangles,
+                                                   const Box3& box) const;
+  using Lines = std::map<std::array<double, 3>, Line>;  // solved for one leaf, by axis, u, v
+  [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const nlohmann::json& j,
+                                        std::span<const Site> candidates,
+                                        std::span<const std::uint32_t> triangles, Lines& lines);
+  [[nodiscard]] bool inside(const Point3& x);
+  void check_interfaces();
+  void check_complex();
+
+  const Shape& shape_;
+  Sites sites_;
+  Exclusion exclusion_;
+  LineSolver lines_;
+  Reader reader_;
+  const std::function<bool(double)>& progress_;
+  Answer& answer_;
+  std::vector<CellNode> node_;
+  std::vector<Leaf> leaf_;
+  std::map<std::array<double, 6>, FaceMap> interface_;
+  std::map<std::array<double, 3>, bool> inside_;
+  double done_ = 0;
+};
+
+std::array<double, 6> key_of(const Rect& r) {
+  return {static_cast<double>(r.axis), r.level, r.u0, r.u1, r.v0, r.v1};
+}
+
+bool Checker::inside(const Point3& x) {
+  const auto [it, fresh] = inside_.try_emplace({x.x, x.y, x.z}, false);
+  if (fresh) {
+    const auto found = is_inside(shape_, x);
+    require(found.has_value(), "general position: a corner of a cell in line with the boundary");
+    it->second = *found;
+  }
+  return it->second;
+}
+
+std::vector<std::uint32_t> Checker::meeting(const std::vector<std::uint32_t>& triangles,
+                                            const Box3& box) const {
+  const BoxCorners corners(box);
+  std::vector<std::uint32_t> kept;
+  for (const auto t : triangles) {
+    const auto& v = shape_.triangle[t].vertex;
+    bool apart = false;
+    for (int k = 0; k < 3 && !apart; ++k) {
+      const double a = shape_.point[v[0]][k], b = shape_.point[v[1]][k], c = shape_.point[v[2]][k];
+      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
+    }
+    const auto all = [&](const Condition& c, int sign) {
+      return std::ranges::all_of(corners,
+                                 [&](const Point3& x) { return sites_.sign(c, x) == sign; });
+    };
+    const auto conditions = sites_.conditions(shape_.face_site(t));
+    apart = apart || all(conditions[3], 1) || all(conditions[3], -1);
+    for (std::size_t k = 0; k < 3 && !apart; ++k) apart = all(conditions[k], 1);
+    if (!apart) kept.push_back(t);
+  }
+  return kept;
+}
+
+void Checker::exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates,
+                      int looks) {
+  const std::vector<Site> sites = read_sites(excluded, shape_.sites());
+  std::vector<Site> kept, still;
+  std::ranges::set_difference(candidates.kept, sites, std::back_inserter(kept));
+  std::ranges::set_intersection(candidates.kept, sites, std::back_inserter(candidates.pending));
+  for (const Site s : candidates.pending) {
+    ++answer_.exclusions;
+    if (!exclusion_.governs_nothing(s, box, kept, looks)) still.push_back(s);
+  }
+  candidates = {std::move(kept), std::move(still)};
+}
+
+FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
+                                 std::span<const Site> candidates,
+                                 std::span<const std::uint32_t> triangles, Lines& lines) {
+  const std::vector<PartNode> nodes = read_parts(j.at("parts"), shape_);
+  const Graph graph = read_graph(j.at("graph"), shape_);
+  ++answer_.faces;
+  answer_.parts += nodes.size();
+  std::array<Line, 4> side;
+  for (int s = 0; s < 4; ++s) {
+    const Segment segment = side_of(rect, s);
+    const auto [it, fresh] =
+        lines.try_emplace({static_cast<double>(segment.axis), segment.u, segment.v});
+    if (fresh)
+      it->second = lines_.solve(segment, inside(at(segment, segment.t0)), candidates, triangles);
+    side[static_cast<std::size_t>(s)] = it->second;
+  }
+  FaceMap map = check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  check_graph(map, graph);
+  return map;
+}
+
+void Checker::check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
+                         std::vector<std::uint32_t> triangles) {
+  Leaf leaf;
+  leaf.box = box;
+  const std::string theorem = j.at("theorem");
+  if (theorem == "undecided")
+    throw Failure("leaf " + std::to_string(leaf_.size()) + " is undecided (" +
+                  j.at("reason").get<std::string>() + "): the result is not certified");
+  if (theorem == "outside") {
+    leaf.outside = true;
+    require(triangles.empty() && !inside(box.lo), "a leaf meets the solid and is called outside");
+  } else {
+    exclude(j.at("excluded"), box, candidates, kLeafLooks);
+    if (!candidates.pending.empty())
+      throw Failure("candidates: site " + std::to_string(candidates.pending.front()) +
+                    " was excluded and may govern a point of leaf " + std::to_string(leaf_.size()));
+    leaf.candidates = std::move(candidates.kept);
+    leaf.triangles = std::move(triangles);
+    const nlohmann::json& faces = j.at("faces");
+    if (!faces.is_array() || faces.size() != 6) throw Unreadable("a leaf has not six faces");
+    Lines lines;
+    for (std::size_t f = 0; f < 6; ++f)
+      leaf.face[f] = check_rectangle(face_of(box, static_cast<int>(f)), faces[f], leaf.candidates,
+                                     leaf.triangles, lines);
+    if (theorem == "conical") {
+      leaf.conical = true;
+      leaf.vertex = read_index(j.at("vertex"), shape_.point.size());
+      check_conical(shape_, box, leaf.vertex, leaf.candidates, leaf.triangles, leaf.face);
+    } else if (theorem == "boundary") {
+      check_boundary(sites_, box, leaf.triangles, leaf.face);
+    } else {
+      throw Unreadable("unknown theorem: " + theorem);
+    }
+  }
+  leaf_.push_back(std::move(leaf));
+  ++answer_.leaves;
+  done_ += volume(box);
+  if (progress_ && !progress_(done_ / volume(node_[0].box))) throw Interrupted();
+}
+
+void Checker::check_tree(std::uint32_t node, Candidates candidates,
+                         const std::vector<std::uint32_t>& parent_triangles, int depth) {
+  require(depth < kMaxDepth, "the tree of cells is too deep");
+  const Box3 box = node_[node].box;
+  std::vector<std::uint32_t> triangles = meeting(parent_triangles, box);
+  if (reader_.at("leaf")) {
+    node_[node].leaf = static_cast<std::uint32_t>(leaf_.size());
+    check_leaf(reader_.next("leaf"), box, std::move(candidates), std::move(triangles));
+    return;
+  }
+  const nlohmann::json j = reader_.next("node");
+  exclude(j.at("excluded"), box, candidates, kNodeLooks);
+  const int axis = static_cast<int>(read_index(j.at("axis"), 3));
+  const double cut = read_number(j.at("cut"));
+  require(cut > box.lo[axis] && cut < box.hi[axis],
+          "the leaves do not tile: a cut outside its cell");
+  const auto low = static_cast<std::uint32_t>(node_.size());
+  node_[node].axis = axis;
+  node_[node].cut = cut;
+  node_[node].low = low;
+  node_.push_back({box});
+  node_.push_back({box});
+  node_[low].box.hi[axis] = node_[low + 1].box.lo[axis] = cut;
+  check_tree(low, candidates, triangles, depth + 1);
+  check_tree(low + 1, candidates, triangles, depth + 1);
+}
+
+void Checker::check_interfaces() {
+  while (reader_.at("interface")) {
+    const nlohmann::json j = reader_.next("interface");
+    const auto& at = j.at("rect");
+    const Rect rect{static_cast<int>(read_index(at.at(0), 3)),
+                    read_number(at.at(1)),
+                    read_number(at.at(2)),
+                    read_number(at.at(3)),
+                    read_number(at.at(4)),
+                    read_number(at.at(5))};
+    const Leaf& leaf = leaf_[read_index(j.at("leaf"), leaf_.size())];
+    const auto within = [&](const Point3& p) {
+      for (int k = 0; k < 3; ++k)
+        if (p[k] < leaf.box.lo[k] || p[k] > leaf.box.hi[k]) return false;
+      return true;
+    };
+    require(within(point_on(rect.axis, rect.level, rect.u0, rect.v0)) &&
+                within(point_on(rect.axis, rect.level, rect.u1, rect.v1)) && rect.u0 < rect.u1 &&
+                rect.v0 < rect.v1,
+            "gluing: an interface is not on its leaf");
+    Lines lines;
+    interface_[key_of(rect)] = check_rectangle(rect, j, leaf.candidates, leaf.triangles, lines);
+  }
+}
+
+void Checker::check_complex() {
+  const Complex complex = glue(exclusion_, node_, leaf_, [this](const Rect& r) -> const FaceMap& {
+    const auto it = interface_.find(key_of(r));
+    require(it != interface_.end(), "gluing: the diagram of an interface is missing");
+    return it->second;
+  });
+  const nlohmann::json j = reader_.next("complex");
+  std::vector<std::size_t> cones(leaf_.size(), 0);
+  for (const auto& c : j.at("cones")) {
+    const auto leaf = read_index(c.at(0), cones.size());
+    if (cones[leaf] != 0) throw Unreadable("a leaf's cones are counted twice");
+    cones[leaf] = read_index(c.at(1), kMostCells);
+  }
+  require(cones == complex.cones, "the complex has other cones than the leaves give");
+  for (const auto& [name, count] : complex.cells)
+    require(read_index(j.at("cells").at(name), kMostCells) == count,
+            std::string("the complex has another number of cells: ") + name);
+  const auto euler = static_cast<double>(complex.vertices + complex.triangle.size()) -
+                     static_cast<double>(complex.edge.size());
+  require(read_number(j.at("euler")) == euler, "the complex has another Euler characteristic");
+  answer_.betti = betti_numbers(complex);
+  const nlohmann::json betti = reader_.next("betti");
+  for (std::size_t k = 0; k < 3; ++k)
+    require(read_index(betti.at(k), kMostCells) == static_cast<std::uint64_t>(answer_.betti[k]),
+            "the complex has other Betti numbers");
+  require(answer_.betti == shape_.betti(), "the Betti numbers are not those of the solid");
+}
+
+void Checker::run(const std::string& fingerprint) {
+  const nlohmann::json header = reader_.next("header");
+  if (header.at("format") != kFormat) throw Unreadable("not a certificate of blum");
+  if (header.at("version") != kVersion) throw Unreadable("an unknown version of the format");
+  require(header.at("model").at("fingerprint") == fingerprint &&
+              header.at("model").at("points") == shape_.point.size() &&
+              header.at("model").at("triangles") == shape_.triangle.size(),
+          "the certificate is of another model");
+  const Box3 root = read_box(header.at("box"));
+  for (const Point3& p : shape_.point)
+    for (int k = 0; k < 3; ++k)
+      require(p[k] > root.lo[k] && p[k] < root.hi[k], "the solid does not lie in the box");
+  node_.push_back({root});
+  std::vector<std::uint32_t> triangles(shape_.triangle.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
+  check_tree(0, {shape_.candidates(), {}}, triangles, 0);
+  check_interfaces();
+  check_complex();
+  const nlohmann::json end = reader_.next("end");
+  require(end.at("certified") == true, "the certificate calls itself not certified");
+  if (end.at("lines") != reader_.line()) throw Unreadable("the number of lines is wrong");
+  reader_.end();
+}
+
+}  // namespace
+
+std::string fingerprint(const Model& model) {
+  std::uint64_t h = 0xcbf29ce484222325u;  // FNV-1a
+  const auto add = [&](std::uint64_t x) {
+    for (int k = 0; k < 8; ++k) h = (h ^ (x >> (8 * k) & 0xff)) * 0x100000001b3u;
+  };
+  for (const Point3& p : model.point)
+    for (int k = 0; k < 3; ++k) add(std::bit_cast<std::uint64_t>(p[k] + 0.0));
+  for (const auto& t : model.triangle)
+    for (const auto v : t) add(v);
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(h));
+  return text;
+}
+
+Answer verify(const Model& model, std::istream& certificate,
+              const std::function<bool(double)>& progress) {
+  Answer answer;
+  const Shape shape(model.point, model.triangle);
+  if (!shape.defect().empty()) {
+    answer.outcome = Answer::Outcome::kFalse;
+    answer.statement = shape.defect();
+    return answer;
+  }
+  Checker checker(shape, certificate, progress, answer);
+  const auto end = [&](Answer::Outcome outcome, const std::string& statement) {
+    answer.outcome = outcome;
+    answer.statement = statement;
+    answer.line = checker.line();
+  };
+  try {
+    checker.run(fingerprint(model));
+    answer.outcome = Answer::Outcome::kVerified;
+  } catch (const Failure& failure) {
+    end(Answer::Outcome::kFalse, failure.what());
+  } catch (const Unreadable& problem) {
+    end(Answer::Outcome::kUnreadable, problem.what());
+  } catch (const nlohmann::json::exception& problem) {
+    end(Answer::Outcome::kUnreadable, problem.what());
+  } catch (const Interrupted&) {
+    end(Answer::Outcome::kUnreadable, "interrupted");
+  }
+  return answer;
+}
+
+}  // namespace blum::verify
