@@ -25,6 +25,8 @@ struct EngineContext {
   std::uint64_t seed;
   EngineCounts counts;
   bool part_clusters = false;
+  /// Decide without fans (fan.hpp), by conditions that hold at corners: for certificates.
+  bool plain = false;
   std::vector<PartRecord>* parts = nullptr;  ///< where the face in work is written down, or null
   /// Set from outside to give up: running work then answers kUndecided soon.
   const std::atomic<bool>* stop = nullptr;

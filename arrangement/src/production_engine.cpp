@@ -39,9 +39,16 @@ FaceDiagram ProductionEngine::face(
 FaceDiagram ProductionEngine::face(
     const FaceProblem& problem, const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
     std::vector<PartRecord>& parts) {
-  impl_->context.parts = &parts;
+  EngineContext& context = impl_->context;
+  context.parts = &parts;
+  context.plain = true;
   FaceDiagram d = face(problem, side);
-  impl_->context.parts = nullptr;
+  context.plain = false;
+  if (d.status != FaceStatus::kDecided) {
+    parts.clear();
+    d = face(problem, side);
+  }
+  context.parts = nullptr;
   return d;
 }
 

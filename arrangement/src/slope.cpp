@@ -58,7 +58,7 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
   }
   // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
   for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
-  if (!context.voronoi()) r.fans = fans_at_ties(context, a, b, range);
+  if (!context.voronoi() && !context.plain) r.fans = fans_at_ties(context, a, b, range);
   return r;
 }
 
@@ -105,7 +105,7 @@ bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, con
 bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
                      const Range& range) {
   return !context.never_essential(a.site, b.site) && may_tie(context, a, b, range) &&
-         (context.voronoi() || fans_at_ties(context, a, b, range).tie);
+         (context.voronoi() || context.plain || fans_at_ties(context, a, b, range).tie);
 }
 
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {

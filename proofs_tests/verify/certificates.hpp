@@ -33,7 +33,7 @@ struct Certified {
     const Result<Solid> solid = build_solid(mesh);
     point = solid.value().point;
     for (const SolidTriangle& t : solid.value().triangle) triangle.push_back(t.vertex);
-    const auto result = compute_medial_axis(solid.value(), options, [&](const std::string& line) {
+    const auto result = compute_medial_axis(solid.value(), options, {}, [&](const std::string& line) {
       record.push_back(Json::parse(line));
       return true;
     });

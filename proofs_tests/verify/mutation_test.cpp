@@ -169,7 +169,7 @@ TEST(Mutation, UncertifiedResult_FalseWithTheFirstUndecidedLeaf) {
   options.max_depth = 0;
   const Result<Solid> solid = build_solid(shapes::torus(8, 4, 2, 0.75));
   std::string text;
-  const auto result = compute_medial_axis(solid.value(), options, [&](const std::string& line) {
+  const auto result = compute_medial_axis(solid.value(), options, {}, [&](const std::string& line) {
     text += line + "\n";
     return true;
   });

@@ -29,6 +29,9 @@ class Exclusion {
 
   [[nodiscard]] const Sites& sites() const { return sites_; }
 
+  /// Unit outer normal of a face, unit direction of an edge.
+  [[nodiscard]] const BallVector& unit(Site s) const { return unit_[s]; }
+
  private:
   struct View;  // of a box: centre, half widths, bound on the distance at the centre
   [[nodiscard]] View view(const Box3& box, std::span<const Site> against) const;

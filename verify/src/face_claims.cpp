@@ -1,6 +1,7 @@
 #include "face_claims.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "failure.hpp"
 
@@ -51,6 +52,34 @@ bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
   return parted(a, 1) && parted(b, -1);
 }
 
+/// Bounds of the products with w of all gradients that the distance to a site can have where it
+/// governs (docs/proofs.md, "Fans"); of none for a vertex.
+std::optional<std::array<double, 2>> fan(const Exclusion& exclusion, Site s, const BallVector& w) {
+  const Shape& shape = exclusion.sites().shape();
+  const auto inward = [&](std::uint32_t t) { return exclusion.unit(shape.face_site(t)); };
+  if (shape.kind(s) == Kind::kVertex) return std::nullopt;
+  if (shape.kind(s) == Kind::kFace) {
+    const Ball c = -dot(inward(shape.element(s)), w);
+    return std::array{c.low(), c.high()};
+  }
+  const auto& side = shape.edge[shape.element(s)].triangle;
+  const BallVector a = inward(side[0]), b = inward(side[1]), sum = plus(a, b);
+  const Ball ca = -dot(a, w), cb = -dot(b, w);
+  double low = std::min(ca.low(), cb.low()), high = std::max(ca.high(), cb.high());
+  const double square = dot(sum, sum).low();
+  if (!(square > 0)) return std::nullopt;
+  const double stretch = 2 / std::sqrt(square) * (1 + 0x1p-40);  // p + q of p a + q b of length 1
+  if (low < 0) low *= stretch;
+  if (high > 0) high *= stretch;
+  return std::array{low, high};
+}
+
+bool gains_by_fans(const Exclusion& exclusion, Site a, Site b, const Vec<Rational>& w) {
+  const BallVector v{enclose(w[0]), enclose(w[1]), enclose(w[2])};
+  const auto fa = fan(exclusion, a, v), fb = fan(exclusion, b, v);
+  return fa && fb && (*fa)[1] < (*fb)[0];
+}
+
 }  // namespace
 
 void check_directions(const Part& part, const Groups& groups, const SharedFeet& feet,
@@ -77,7 +106,7 @@ void check_directions(const Part& part, const Groups& groups, const SharedFeet& 
       require(w[g].has_value(), "Theorem D': a group without direction");
       const bool gains = std::ranges::all_of(
           corners, [&](const Point3& x) { return sites.slope(x, a, b, *w[g]) < 0; });
-      require(gains || (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
+      require(gains || gains_by_fans(part.exclusion, a, b, *w[g]) || (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
               "Theorem D': a group does not gain along its direction");
     }
 }

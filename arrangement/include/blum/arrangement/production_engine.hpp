@@ -48,7 +48,8 @@ class ProductionEngine final : public DiagramEngine {
       const FaceProblem& problem,
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
 
-  /// The same diagram, with the reasons for it appended to `parts`: all of them where it is decided.
+  /// The same diagram, with the reasons for it in `parts`, which is empty before: all of them where it
+  /// is decided. Prefers reasons that are easy to check to few parts.
   [[nodiscard]] FaceDiagram face(
       const FaceProblem& problem,
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
