@@ -153,9 +153,11 @@ bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm&
     // sin(angle) of the distance, at least 0.7 times the chord.
     const BallVector w =
         combined(Ball(1.0), fan.end[1 - k], -dot(fan.end[1 - k], *middle), *middle);
+    // Nothing is known of w if the face is almost orthogonal to the arc: then norm may reach zero.
     const Ball norm = root(dot(w, w));
-    const double reach =
-        (0.7 * depth.feet * kDown - 1.8 * off * depth.farthest * kUp) * norm.low() * kDown;
+    const double least = 0.7 * depth.feet * kDown - 1.8 * off * depth.farthest * kUp;
+    if (!(least > 0 && norm.low() > 0)) continue;
+    const double reach = least * norm.low() * kDown;
     if (!(reach > 0) || !reaches_ahead(context.geometry, face.site, edge.site, w, reach)) continue;
     fan.end[k] = *middle;
     fan.face[k].reset();
