@@ -308,7 +308,8 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
                    "the diagonal; 0: as coarse as the topology allows")
       ->capture_default_str();
   medial->add_option("--certificate", arguments->certificate,
-                     "Write what `blum verify` needs to check the result to this file");
+                     "Write what `blum verify` needs to check the result to this file. Such a\n"
+                     "run uses no cutting planes, so its leaves may differ");
   CLI::Option* const coplanar =
       medial
           ->add_option("--coplanar-tolerance", arguments->coplanar_tolerance,
@@ -348,11 +349,12 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
                    "Boxes to look at for each part")
       ->check(kDigits)
       ->capture_default_str();
-  medial->add_option("--engine", options.engine, "production; brute: slow and all exact; cgal: CGAL's arrangements, for small\nsolids (needs blum-cgal-engine)")
+  medial
+      ->add_option("--engine", options.engine,
+                   "production; brute: slow and all exact; cgal: CGAL's arrangements, for "
+                   "small\nsolids (needs blum-cgal-engine)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
-          {"production", Engine::kProduction},
-          {"brute", Engine::kBrute},
-          {"cgal", Engine::kCgal}}))
+          {"production", Engine::kProduction}, {"brute", Engine::kBrute}, {"cgal", Engine::kCgal}}))
       ->default_str("production");
   medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
       ->check(CLI::Range(0, 1'000'000))

@@ -357,7 +357,8 @@ bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups
     }
   found.assign(groups.count, std::nullopt);
   for (std::uint32_t g = 0; g < groups.count; ++g)
-    if (g != except && !of_group[g].empty() && !(found[g] = direction(of_group[g], forms, range))) return false;
+    if (g != except && !of_group[g].empty() && !(found[g] = direction(of_group[g], forms, range)))
+      return false;
   return true;
 }
 
@@ -519,6 +520,10 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
   }
   const auto repeated = std::count(often.begin(), often.end(), true);
   if (repeated > 1) return false;
+  // A certificate tells events by their boxes: one a part.
+  if (context_.plain &&
+      std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.size() > 2; }) > 1)
+    return false;
   const Range range = range_of(box);
   Directions directions;
   if (repeated == 0 &&

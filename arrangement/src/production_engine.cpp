@@ -10,6 +10,7 @@ namespace blum {
 
 struct ProductionEngine::Impl {
   EngineContext context;
+  bool plain_first = false;
   Impl(const SiteGeometry& g, const InsideOracle& i, std::uint64_t seed, bool part_clusters)
       : context(g, i, seed) {
     context.part_clusters = part_clusters;
@@ -33,22 +34,23 @@ SegmentAnswer ProductionEngine::segment(const Segment& segment, std::span<const 
 
 FaceDiagram ProductionEngine::face(
     const FaceProblem& problem, const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) {
-  return FaceEngine(impl_->context, problem).solve(side);
+  EngineContext& context = impl_->context;
+  if (impl_->plain_first) {
+    context.plain = true;
+    FaceDiagram d = FaceEngine(context, problem).solve(side);
+    context.plain = false;
+    if (d.status != FaceStatus::kUndecided || context.stopped()) return d;
+    if (context.parts != nullptr) context.parts->clear();
+  }
+  return FaceEngine(context, problem).solve(side);
 }
 
-FaceDiagram ProductionEngine::face(
-    const FaceProblem& problem, const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
-    std::vector<PartRecord>& parts) {
-  EngineContext& context = impl_->context;
-  context.parts = &parts;
-  context.plain = true;
+FaceDiagram ProductionEngine::face(const FaceProblem& problem,
+                                   const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
+                                   std::vector<PartRecord>& parts) {
+  impl_->context.parts = &parts;
   FaceDiagram d = face(problem, side);
-  context.plain = false;
-  if (d.status != FaceStatus::kDecided) {
-    parts.clear();
-    d = face(problem, side);
-  }
-  context.parts = nullptr;
+  impl_->context.parts = nullptr;
   return d;
 }
 
@@ -104,6 +106,7 @@ void ProductionEngine::decide_clusters(const FaceProblem& problem, FaceDiagram& 
   }
 }
 
+void ProductionEngine::prefer_plain_reasons() { impl_->plain_first = true; }
 void ProductionEngine::stop_on(const std::atomic<bool>* stop) { impl_->context.stop = stop; }
 Predicates& ProductionEngine::predicates() { return impl_->context.predicates; }
 const EngineCounts& ProductionEngine::counts() const { return impl_->context.counts; }

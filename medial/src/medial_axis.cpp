@@ -7,13 +7,13 @@
 
 #include "assemble.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
-#include "certificate.hpp"
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
+#include "certificate.hpp"
 #include "part_angles.hpp"
 
 namespace blum {
@@ -114,7 +114,13 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   const SiteGeometry geometry(solid, kind);
   EngineSet engines(geometry, options, watch);
   result.threads = engines.threads();
-  Result<Subdivision> subdivided = subdivide(geometry, options, engines);
+  // What `blum verify` cannot follow yet is done without where that is possible.
+  SubdivisionOptions used = options;
+  if (certificate) {
+    used.cuts = false;
+    engines.prefer_plain_reasons();
+  }
+  Result<Subdivision> subdivided = subdivide(geometry, used, engines);
   if (!subdivided) return subdivided.error();
   result.time.subdivide_s = seconds_since(start);
 
@@ -153,7 +159,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
   }
   if (certificate)
-    write_certificate(geometry, subdivided.value(), assembly, result, options, engines, certificate);
+    write_certificate(geometry, subdivided.value(), assembly, result, options, engines,
+                      certificate);
   result.stages = engines.stages();
   return result;
 }

@@ -75,8 +75,7 @@ class FaceChecker {
   };
   Border label(const Circle& circle, const Part& part, const Groups& feet);
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim);
-  void record_bands(const Circle& circle, const Part& part, const Groups& feet,
-                    const Claim& claim);
+  void record_bands(const Circle& circle, const Part& part, const Groups& feet, const Claim& claim);
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t element_of(const Step& s);
   [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge);
@@ -304,8 +303,7 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
 }
 
 /// Labels the regions along a circle, and makes them one piece.
-FaceChecker::Border FaceChecker::label(const Circle& circle, const Part& part,
-                                       const Groups& feet) {
+FaceChecker::Border FaceChecker::label(const Circle& circle, const Part& part, const Groups& feet) {
   const auto first = std::ranges::find_if(circle, &Step::separates);
   const auto start = static_cast<std::size_t>(first - circle.begin());
   Border r;

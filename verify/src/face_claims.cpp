@@ -39,17 +39,20 @@ bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
                                  [&](std::uint32_t q) { return ahead(shape, w, q, p) > 0; });
     });
   const auto v = common.front();
-  const auto parted = [&](Site s, int sign) {
+  // One lies on its side and may touch the plane, the other strictly, but for v and an edge from
+  // there that holds no foot.
+  const auto parted = [&](Site s, int sign, bool strictly) {
     int on_plane = 0;
     for (const auto p : shape.corners(s)) {
       if (p == v) continue;
       const int side = ahead(shape, w, v, p);
-      if (side == sign) continue;
+      if (side == sign || (side == 0 && !strictly)) continue;
       if (side != 0 || ++on_plane > 1 || feet.vertex(p) || feet.edge(v, p)) return false;
     }
     return true;
   };
-  return parted(a, 1) && parted(b, -1);
+  return (parted(a, 1, true) && parted(b, -1, false)) ||
+         (parted(a, 1, false) && parted(b, -1, true));
 }
 
 /// Bounds of the products with w of all gradients that the distance to a site can have where it
@@ -106,7 +109,8 @@ void check_directions(const Part& part, const Groups& groups, const SharedFeet& 
       require(w[g].has_value(), "Theorem D': a group without direction");
       const bool gains = std::ranges::all_of(
           corners, [&](const Point3& x) { return sites.slope(x, a, b, *w[g]) < 0; });
-      require(gains || gains_by_fans(part.exclusion, a, b, *w[g]) || (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
+      require(gains || gains_by_fans(part.exclusion, a, b, *w[g]) ||
+                  (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
               "Theorem D': a group does not gain along its direction");
     }
 }

@@ -49,7 +49,7 @@ class ProductionEngine final : public DiagramEngine {
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
 
   /// The same diagram, with the reasons for it in `parts`, which is empty before: all of them where it
-  /// is decided. Prefers reasons that are easy to check to few parts.
+  /// is decided.
   [[nodiscard]] FaceDiagram face(
       const FaceProblem& problem,
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
@@ -70,6 +70,10 @@ class ProductionEngine final : public DiagramEngine {
   /// tie essentially; empty where some group is not such a clique.
   [[nodiscard]] std::vector<std::vector<SiteId>> tie_groups(std::span<const SiteId> candidates,
                                                             const Point3& lo, const Point3& hi);
+
+  /// From now on, faces are decided without fans (docs/proofs.md) where that is possible: with more
+  /// parts, for reasons that are easier to check.
+  void prefer_plain_reasons();
 
   /// From now on, work in progress and to come answers kUndecided ("stopped") soon after *stop
   /// becomes true. The flag must outlive the engine; null: none.

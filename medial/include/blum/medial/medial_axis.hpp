@@ -75,7 +75,8 @@ using CertificateSink = std::function<bool(const std::string&)>;
 /// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
 /// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
 /// and all cells that meet the axis are listed. The certificate, where asked for, is written
-/// after the limits have been looked at.
+/// after the limits have been looked at; a run with one uses no cutting planes (Theorem E) and prefers
+/// reasons that are easy to check, so that it may take longer and give more leaves.
 /// Where the time ends while angles are bounded, these stay wider.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options,

@@ -21,6 +21,10 @@ class EngineSet {
   [[nodiscard]] int threads() const { return static_cast<int>(production_.size()); }
   /// Always there, for pruning.
   [[nodiscard]] ProductionEngine& production(int thread = 0) { return production_[thread]; }
+  /// ProductionEngine::prefer_plain_reasons, for all.
+  void prefer_plain_reasons() {
+    for (ProductionEngine& engine : production_) engine.prefer_plain_reasons();
+  }
   /// The engine that was asked for.
   [[nodiscard]] DiagramEngine& diagrams(int thread = 0);
   [[nodiscard]] const InsideOracle& inside() const { return inside_; }
