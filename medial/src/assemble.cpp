@@ -513,6 +513,7 @@ Assembly Assembler::run() {
   for (std::uint32_t l = 0; l < dropped_.size(); ++l)
     if (dropped_[l]) assembly.undecided.push_back(l);
   for (const Interface& i : interface_) {
+    if (i.low == kNone || i.high == kNone) continue;  // on the box: a face of its leaf
     const auto side = static_cast<std::size_t>(2 * i.rect.axis);
     if (i.diagram != subdivision_.leaf[i.low].face[side + 1] &&
         i.diagram != subdivision_.leaf[i.high].face[side])
