@@ -24,6 +24,8 @@ SHAPES = {
     "voids 3": [3, 0, 3],
     "torus 8 4": [1, 1, 0],
     "torus 16 8 2 0.5": [1, 1, 0],
+    "planar_torus 8 4": [1, 1, 0],
+    "planar_torus 16 8": [1, 1, 0],
     "knot": [1, 1, 0],
     "knot 3 2": [1, 1, 0],
 }
