@@ -11,6 +11,7 @@
 #include <random>
 #include <set>
 
+#include "arrangement/cube_minus_octant.hpp"
 #include "blum/kernel/closest_point.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/shapes.hpp"
@@ -154,37 +155,15 @@ struct Truth {
   }
 };
 
-PolygonMesh octant() {  // [0,2]^3 without [1,2]^3
-  PolygonMesh m;
-  const auto id = [&](const Point3& p) {
-    const auto it = std::find(m.points.begin(), m.points.end(), p);
-    if (it != m.points.end()) return static_cast<std::uint32_t>(it - m.points.begin());
-    m.points.push_back(p);
-    return static_cast<std::uint32_t>(m.points.size() - 1);
-  };
-  using Face = std::vector<Point3>;
-  for (const Face& f : {Face{{0, 0, 2}, {2, 0, 2}, {2, 1, 2}, {1, 1, 2}, {1, 2, 2}, {0, 2, 2}},
-                        Face{{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {1, 2, 1}},
-                        Face{{0, 0, 0}, {0, 2, 0}, {2, 2, 0}, {2, 0, 0}}})
-    for (int turn = 0; turn < 3; ++turn) {
-      m.faces.emplace_back();
-      for (const Point3& p : f)
-        m.faces.back().push_back(id(turn == 0   ? p
-                                    : turn == 1 ? Point3{p.z, p.x, p.y}
-                                                : Point3{p.y, p.z, p.x}));
-    }
-  return m;
-}
-
 std::vector<PolygonMesh> meshes() {
   return {shapes::cuboid(4, 2, 2),
           shapes::lbracket(),
           shapes::lpocket(),
-          octant(),
+          test::cube_minus_octant(),
           shapes::triangulate_facets(shapes::split_edges(shapes::lpocket(), 3), 4),
           shapes::torus(5, 4, 2, 1),
           shapes::rotate_rounded(shapes::lpocket(), 5),
-          shapes::rotate_rounded(octant(), 6)};
+          shapes::rotate_rounded(test::cube_minus_octant(), 6)};
 }
 
 /// Random, or built from vertices (then on many planes, walls and bisectors), or a step beside.
