@@ -154,6 +154,9 @@ int run_medial(MedialArguments arguments) {
   if (!(arguments.coplanar_tolerance >= 0 && arguments.coplanar_tolerance <= 1)) {
     return report_usage("--coplanar-tolerance: not in [0, 1]");
   }
+  if (!arguments.certificate.empty() && arguments.options.engine != Engine::kProduction) {
+    return report_usage("--certificate: the production engine alone gives its reasons");
+  }
   if (!(arguments.angles.tolerance_deg >= 0))
     return report_usage("--angle-tolerance: not an angle");
   for (const double theta : arguments.theta_table) {
@@ -299,17 +302,11 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
       ->capture_default_str();
   medial->add_flag("--resolve", options.resolve,
                    "Refine until no avoidable cluster node is left (for counting sheets)");
-  medial->add_flag("!--no-cuts", options.cuts,
-                   "Subdivide a cell without trying planes that miss the axis: more cells, for\n"
-                   "comparison");
   medial
       ->add_option("--epsilon", arguments->epsilon,
                    "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
                    "the diagonal; 0: as coarse as the topology allows")
       ->capture_default_str();
-  medial->add_option("--certificate", arguments->certificate,
-                     "Write what `blum verify` needs to check the result to this file. Such a\n"
-                     "run uses no cutting planes, so its leaves may differ");
   CLI::Option* const coplanar =
       medial
           ->add_option("--coplanar-tolerance", arguments->coplanar_tolerance,
@@ -321,41 +318,6 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
       ->add_option("--write-flattened", arguments->flattened,
                    "Write the solid so changed to this file, as OFF")
       ->needs(coplanar);
-  medial->add_flag("--angles", arguments->with_angles,
-                   "Bound the separation angles of all parts, and write them to PREFIX.vtp");
-  CLI::Option* const theta = medial->add_option(
-      "--theta", arguments->theta, "Degrees: the files hold the axis simplified by this angle");
-  medial
-      ->add_option("--simplify", arguments->simplify,
-                   "hma: keeps the homotopy type; sma: every part with a larger angle, which may\n"
-                   "tear the axis apart")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Simplify>{
-          {"hma", Simplify::kHomotopy}, {"sma", Simplify::kSubset}}))
-      ->default_str("hma")
-      ->needs(theta);
-  CLI::Option* const table =
-      medial
-          ->add_option("--theta-table", arguments->theta_table,
-                       "Angles, with commas between: print both simplified axes for each")
-          ->delimiter(',');
-  medial->add_option("--theta-csv", arguments->theta_csv, "Write that table to this file, as CSV")
-      ->needs(table);
-  medial
-      ->add_option("--angle-tolerance", arguments->angles.tolerance_deg,
-                   "Degrees between the bounds of a part's angle, where the budget suffices")
-      ->capture_default_str();
-  medial
-      ->add_option("--angle-budget", arguments->angles.boxes_per_part,
-                   "Boxes to look at for each part")
-      ->check(kDigits)
-      ->capture_default_str();
-  medial
-      ->add_option("--engine", options.engine,
-                   "production; brute: slow and all exact; cgal: CGAL's arrangements, for "
-                   "small\nsolids (needs blum-cgal-engine)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
-          {"production", Engine::kProduction}, {"brute", Engine::kBrute}, {"cgal", Engine::kCgal}}))
-      ->default_str("production");
   medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
@@ -378,11 +340,63 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
   return arguments;
 }
 
+/// What Voronoi diagrams do not have.
+void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
+  medial->add_flag("!--no-cuts", arguments.options.cuts,
+                   "Subdivide a cell without trying planes that miss the axis: more cells, for\n"
+                   "comparison");
+  medial->add_option("--certificate", arguments.certificate,
+                     "Write what `blum verify` needs to check the result to this file. Such a\n"
+                     "run uses no cutting planes, so its leaves may differ");
+  medial->add_flag("--angles", arguments.with_angles,
+                   "Bound the separation angles of all parts, and write them to PREFIX.vtp");
+  CLI::Option* const theta = medial->add_option(
+      "--theta", arguments.theta, "Degrees: the files hold the axis simplified by this angle");
+  medial
+      ->add_option("--simplify", arguments.simplify,
+                   "hma: keeps the homotopy type; sma: every part with a larger angle, which may\n"
+                   "tear the axis apart")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Simplify>{
+          {"hma", Simplify::kHomotopy}, {"sma", Simplify::kSubset}}))
+      ->default_str("hma")
+      ->needs(theta);
+  CLI::Option* const table =
+      medial
+          ->add_option("--theta-table", arguments.theta_table,
+                       "Angles, with commas between: print both simplified axes for each")
+          ->delimiter(',');
+  medial->add_option("--theta-csv", arguments.theta_csv, "Write that table to this file, as CSV")
+      ->needs(table);
+  medial
+      ->add_option("--angle-tolerance", arguments.angles.tolerance_deg,
+                   "Degrees between the bounds of a part's angle, where the budget suffices")
+      ->capture_default_str();
+  medial
+      ->add_option("--angle-budget", arguments.angles.boxes_per_part,
+                   "Boxes to look at for each part")
+      ->check(kDigits)
+      ->capture_default_str();
+}
+
+/// The engines of a command, by their names.
+void add_engine_option(CLI::App* command, Engine& engine, const char* description,
+                       const std::map<std::string, Engine>& engines) {
+  command->add_option("--engine", engine, description)
+      ->transform(CLI::CheckedTransformer(engines))
+      ->default_str("production");
+}
+
 }  // namespace
 
 Command add_medial_command(CLI::App& app) {
   CLI::App* medial = app.add_subcommand("medial", "Compute the certified medial axis of a solid");
   const auto arguments = add_options(medial);
+  add_medial_options(medial, *arguments);
+  add_engine_option(
+      medial, arguments->options.engine,
+      "production; brute: slow and all exact; cgal: CGAL's arrangements, for\n"
+      "small solids (needs blum-cgal-engine)",
+      {{"production", Engine::kProduction}, {"brute", Engine::kBrute}, {"cgal", Engine::kCgal}});
   medial->footer(
       R"(Writes PREFIX.ma (text), PREFIX.vtp (ParaView) and PREFIX.obj. Cells that the budget
 (--max-depth, --max-cells, --time-limit, --max-memory) leaves undecided are reported and written
@@ -403,6 +417,8 @@ Command add_voronoi_command(CLI::App& app) {
   const auto arguments = add_options(voronoi);
   arguments->kind = DiagramKind::kVoronoi;
   MedialOptions& options = arguments->options;
+  add_engine_option(voronoi, options.engine, "production, or brute: slow and all exact",
+                    {{"production", Engine::kProduction}, {"brute", Engine::kBrute}});
   voronoi
       ->add_option("--margin", options.margin,
                    "How much larger than the solid's the box is in which the diagram is computed,\n"

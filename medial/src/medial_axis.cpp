@@ -96,6 +96,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
         "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out of range",
         "",
         {}};
+  if (options.engine == Engine::kCgal && kind == DiagramKind::kVoronoi)
+    return Error{ErrorCode::kBadArgument, "the CGAL engine knows medial axes only", "", {}};
   if (options.engine == Engine::kCgal && !find_cgal_helper()) {
     return Error{ErrorCode::kBadArgument,
                  "no blum-cgal-engine: this Blum was built without BLUM_CGAL_ORACLES",

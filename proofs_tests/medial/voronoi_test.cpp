@@ -175,6 +175,14 @@ TEST(Voronoi, MarginThatIsNotPositive_IsRefused) {
   EXPECT_EQ(r.error().code, ErrorCode::kBadArgument);
 }
 
+TEST(Voronoi, EngineOfMedialAxesOnly_IsRefused) {
+  MedialOptions o;
+  o.engine = Engine::kCgal;
+  const auto r = compute_voronoi_diagram(solid_of(tetrahedron()), o);
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.error().code, ErrorCode::kBadArgument);
+}
+
 void sweep(const PolygonMesh& mesh) {
   const Solid solid = solid_of(mesh);
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {

@@ -86,7 +86,7 @@ using CertificateSink = std::function<bool(const std::string&)>;
 /// The same for the Voronoi diagram of all sites that are not degenerate, in a box around the solid
 /// (root_box), inside and outside. Certified only if VoronoiCheck holds too. `on_axis` and
 /// `hausdorff_bound` are about the Voronoi diagram in the box. Requires options.margin > 0
-/// (kBadArgument).
+/// and an engine that knows them, production or brute (kBadArgument).
 [[nodiscard]] Result<MedialResult> compute_voronoi_diagram(const Solid& solid,
                                                            const MedialOptions& options);
 
