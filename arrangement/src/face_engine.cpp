@@ -13,6 +13,10 @@ constexpr int kMaxDepth = 90;
 /// A part that lost no candidate in so many bisections is asked of exact algebra, once: an event in
 /// general position has passed long before.
 constexpr int kStuck = 44;
+/// A part of very many groups is compared pair by pair only every so many bisections that lost none
+/// of its candidates.
+constexpr int kPatience = 4;
+constexpr std::size_t kMaxStuck = 512;
 constexpr std::uint32_t kMaxExactParts = 64;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
@@ -463,10 +467,11 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
     return true;
   }
   const Groups ties = Groups::by_ties(context_, forms);
-  if (ties.cliques && ties.count > kMaxGroups) return false;
+  const std::size_t max_groups = box.stuck % kPatience == kPatience - 1 ? kMaxStuck : kMaxGroups;
+  if (ties.cliques && ties.count > max_groups) return false;
   const Groups feet = Groups::by_feet(context_, forms, range_of(box));
   if (ties.cliques && accept_star(box, forms, ties, feet, border)) return true;
-  if (feet.cliques && feet.count <= kMaxGroups && feet != ties &&
+  if (feet.cliques && feet.count <= max_groups && feet != ties &&
       accept_star(box, forms, feet, feet, border))
     return true;
   if (context_.voronoi())
