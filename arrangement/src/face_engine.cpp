@@ -512,26 +512,24 @@ std::optional<std::vector<std::uint32_t>> FaceEngine::runs_of(const Circle& circ
 bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, const Groups& groups,
                              const Groups& feet, const Border& border) {
   std::vector<std::vector<std::uint32_t>> runs;
-  std::vector<bool> often(groups.count, false);
+  bool repeated = false;
   for (const Circle& circle : border.circle) {
     auto run = runs_of(circle, forms, groups);
     if (!run) return false;
     std::vector<bool> seen(groups.count, false);
     for (const auto g : *run) {
-      if (seen[g]) often[g] = true;
+      repeated |= seen[g];
       seen[g] = true;
     }
     runs.push_back(std::move(*run));
   }
-  const auto repeated = std::count(often.begin(), often.end(), true);
-  if (repeated > 1) return false;
   // A certificate tells events by their boxes: one a part.
   if (context_.plain &&
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.size() > 2; }) > 1)
     return false;
   const Range range = range_of(box);
   Directions directions;
-  if (repeated == 0 &&
+  if (!repeated &&
       (groups.count == 1 || directions_exist(forms, groups, groups.count, range, directions))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
@@ -543,54 +541,7 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
          directions);
     return true;
   }
-  // Bands (Theorem D'): one group, and others that it parts.
-  for (std::uint32_t base = 0; base < groups.count; ++base) {
-    if (often[base] == (repeated == 0)) continue;
-    const bool alternate = std::all_of(runs.begin(), runs.end(), [&](const auto& run) {
-      for (std::size_t k = 0; k < run.size(); ++k)
-        if (run.size() > 1 && (run[k] == base) == (run[(k + 1) % run.size()] == base)) return false;
-      return true;
-    });
-    if (!alternate || !parts_the_others(forms, groups, base, range) ||
-        !directions_exist(forms, groups, base, range, directions))
-      continue;
-    for (std::size_t c = 0; c < border.circle.size(); ++c)
-      record_bands(border.circle[c], forms, groups, feet, base);
-    note(&groups == &feet ? PartRecord::Kind::kFeetBands : PartRecord::Kind::kBands, forms, groups,
-         directions);
-    if (context_.parts != nullptr)
-      for (std::size_t i = 0; i < forms.size(); ++i)
-        if (groups.of[i] == base) context_.parts->back().base = forms[i].site;
-    return true;
-  }
-  return false;
-}
-
-bool FaceEngine::parts_the_others(std::span<const LocalForm> forms, const Groups& groups,
-                                  std::uint32_t base, const Range& range) {
-  for (std::size_t i = 0; i < forms.size(); ++i)
-    for (std::size_t j = i + 1; j < forms.size(); ++j)
-      if (groups.of[i] != groups.of[j] && groups.of[i] != base && groups.of[j] != base &&
-          may_both_govern(context_, forms[i], forms[j], range))
-        return false;
-  return true;
-}
-
-void FaceEngine::record_bands(const Circle& circle, std::span<const LocalForm> forms,
-                              const Groups& groups, const Groups& feet, std::uint32_t base) {
-  const Sequence s = label_circle(circle, forms, feet);
-  const std::size_t n = s.run.size();
-  std::uint32_t whole = Breakpoint::kNone;  // the region of the base
-  for (std::size_t k = 0; k < n; ++k) {
-    if (groups.find(forms, s.run[k].label) == base) {
-      if (whole == Breakpoint::kNone) whole = s.run[k].element;
-      region_.unite(whole, s.run[k].element);
-    } else if (n > 1) {
-      const auto &from = s.end[k], &to = s.end[(k + 1) % n];
-      add_arc(from.node, to.node, from.below, from.above,
-              {s.run[k].element, s.run[(k + 1) % n].element});
-    }
-  }
+  return accept_chords(border, runs, forms, groups, feet, range);
 }
 
 bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,

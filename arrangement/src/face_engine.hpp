@@ -119,9 +119,6 @@ class FaceEngine {
   /// For all groups but one.
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
                                       std::uint32_t except, const Range& range, Directions& found);
-  /// Can no other two groups tie with one another?
-  [[nodiscard]] bool parts_the_others(std::span<const LocalForm> forms, const Groups& groups,
-                                      std::uint32_t base, const Range& range);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
@@ -151,9 +148,14 @@ class FaceEngine {
   /// Labels the regions along a circle, and makes them one component.
   [[nodiscard]] Sequence label_circle(const Circle& circle, std::span<const LocalForm> forms,
                                       const Groups& feet);
-  /// One arc around each interval that is not of the base.
-  void record_bands(const Circle& circle, std::span<const LocalForm> forms, const Groups& groups,
-                    const Groups& feet, std::uint32_t base);
+  /// Theorem D', chords: no three groups tie pairwise. `runs`: of each circle, by runs_of.
+  [[nodiscard]] bool accept_chords(const Border& border,
+                                   std::span<const std::vector<std::uint32_t>> runs,
+                                   std::span<const LocalForm> forms, const Groups& groups,
+                                   const Groups& feet, const Range& range);
+  /// One arc for each two separators between the same groups.
+  void record_chords(const Circle& circle, std::span<const std::uint32_t> run,
+                     std::span<const LocalForm> forms, const Groups& feet);
   [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
                                                    std::span<const LocalForm> forms,
                                                    const Range& range);

@@ -108,6 +108,31 @@ bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm
          (context.voronoi() || context.plain || fans_at_ties(context, a, b, range).tie);
 }
 
+bool parted_by(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& c,
+               const LocalForm& b, const Range& range) {
+  if (a.side == 0 || c.side == 0 || !b.covers_side || b.kind != SiteKind::kFace) return false;
+  // Where both govern, their distance is t d_a + (1 - t) d_c for any number t: the best one leaves
+  // the least slope.
+  const BallVector ac = signed_difference(geometry.unit(a.site), a.side, geometry.unit(c.site),
+                                          c.side),
+                   bc = signed_difference(geometry.unit(b.site), b.side, geometry.unit(c.site),
+                                          c.side);
+  double up = 0, down = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double weight = range.half[k] * range.half[k];
+    up += weight * ac[k].mid * bc[k].mid;
+    down += weight * ac[k].mid * ac[k].mid;
+  }
+  if (!(down > 0)) return false;
+  const Ball t(up / down);
+  if (!std::isfinite(t.mid)) return false;
+  BallVector w;
+  for (int k = 0; k < 3; ++k) w[k] = bc[k] - t * ac[k];
+  const Ball hc = with_sign(c.height, c.side),
+             h = with_sign(b.height, b.side) - hc - t * (with_sign(a.height, a.side) - hc);
+  return h.high() + spread(w, range) < 0;
+}
+
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {
   if (v == p) return 0;
   const Solid& solid = context.geometry.solid();

@@ -49,6 +49,11 @@ struct Direction {
 [[nodiscard]] bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
+/// Is a third face nearer wherever in the range both faces govern? Then they do not tie there.
+/// Medial diagrams. `b` covers the range with its side. False: undecided.
+[[nodiscard]] bool parted_by(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& c,
+                             const LocalForm& b, const Range& range);
+
 /// Certain sign of (p - v) . w for two points of the solid; 2: undecided.
 [[nodiscard]] int side(EngineContext& context, const Direction& direction, std::uint32_t v,
                        std::uint32_t p);

@@ -1,0 +1,116 @@
+// Parts of a face through which several arcs run side by side, without events.
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "face_engine.hpp"
+
+namespace blum {
+namespace {
+
+using GroupPair = std::pair<std::uint32_t, std::uint32_t>;
+
+GroupPair ordered(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Does every two that show beside each other do so at two places of the circle?
+bool come_in_twos(std::span<const std::uint32_t> run) {
+  std::map<GroupPair, int> count;
+  for (std::size_t k = 0; run.size() > 1 && k < run.size(); ++k)
+    ++count[ordered(run[k], run[(k + 1) % run.size()])];
+  return std::ranges::all_of(count, [](const auto& c) { return c.second == 2; });
+}
+
+bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a, std::uint32_t b) {
+  for (std::size_t c = 0; c < ties.size(); ++c)
+    if (ties[a][c] && ties[b][c]) return true;
+  return false;
+}
+
+/// A group that is one of every two that tie, if there is one.
+std::optional<std::uint32_t> middle_of(const std::vector<std::vector<bool>>& ties) {
+  for (std::uint32_t base = 0; base < ties.size(); ++base) {
+    bool all = true;
+    for (std::size_t a = 0; a < ties.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) all &= !ties[a][b] || a == base || b == base;
+    if (all) return base;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool FaceEngine::accept_chords(const Border& border,
+                               std::span<const std::vector<std::uint32_t>> runs,
+                               std::span<const LocalForm> forms, const Groups& groups,
+                               const Groups& feet, const Range& range) {
+  if (!std::ranges::all_of(runs, come_in_twos)) return false;
+  std::map<GroupPair, std::vector<GainPair>> pairs;
+  std::vector<std::vector<bool>> ties(groups.count, std::vector<bool>(groups.count, false));
+  const auto parted = [&](const LocalForm& a, const LocalForm& c) {
+    // A certificate names no third face.
+    if (context_.plain || context_.voronoi() || a.side == 0 || c.side == 0) return false;
+    return std::ranges::any_of(forms, [&](const LocalForm& b) {
+      return b.site != a.site && b.site != c.site && parted_by(context_.geometry, a, c, b, range);
+    });
+  };
+  const auto tie = [&](std::uint32_t g, std::uint32_t h) {
+    if (closes_triangle(ties, g, h)) return false;
+    ties[g][h] = ties[h][g] = true;
+    return true;
+  };
+  for (const auto& run : runs)
+    for (std::size_t k = 0; run.size() > 1 && k < run.size(); ++k)
+      if (!tie(run[k], run[(k + 1) % run.size()])) return false;
+  for (std::uint32_t i = 0; i < forms.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j) {
+      const auto g = groups.of[i], h = groups.of[j];
+      if (g == h || parted(forms[i], forms[j]) ||
+          !may_both_govern(context_, forms[i], forms[j], range))
+        continue;
+      if (!tie(g, h)) return false;
+      const auto [a, b] = g < h ? std::pair{i, j} : std::pair{j, i};
+      pairs[ordered(g, h)].push_back({a, b, pair_slope(context_, forms[a], forms[b], range)});
+    }
+  const auto base = middle_of(ties);
+  if (context_.plain && !base) return false;
+  Directions directions(groups.count);
+  for (const auto& [pair, gains] : pairs) {
+    const auto d = direction(gains, forms, range);
+    if (!d) return false;
+    if (base && pair.first == *base)
+      directions[pair.second] = d->reversed();
+    else
+      directions[pair.first] = d;
+  }
+  for (std::size_t c = 0; c < runs.size(); ++c)
+    record_chords(border.circle[c], runs[c], forms, feet);
+  if (base) {
+    note(&groups == &feet ? PartRecord::Kind::kFeetBands : PartRecord::Kind::kBands, forms, groups,
+         directions);
+    if (context_.parts != nullptr)
+      for (std::size_t i = 0; i < forms.size(); ++i)
+        if (groups.of[i] == *base) context_.parts->back().base = forms[i].site;
+  }
+  return true;
+}
+
+void FaceEngine::record_chords(const Circle& circle, std::span<const std::uint32_t> run,
+                               std::span<const LocalForm> forms, const Groups& feet) {
+  const Sequence s = label_circle(circle, forms, feet);
+  const std::size_t n = s.run.size();
+  std::map<GroupPair, std::size_t> first;  // end[k] lies between run[k - 1] and run[k]
+  for (std::size_t k = 0; n > 1 && k < n; ++k) {
+    const std::size_t before = (k + n - 1) % n;
+    const auto [it, fresh] = first.try_emplace(ordered(run[before], run[k]), k);
+    if (fresh) continue;
+    const std::size_t other = it->second, other_before = (other + n - 1) % n;
+    const auto &from = s.end[other], &to = s.end[k];
+    add_arc(from.node, to.node, from.below, from.above,
+            {s.run[other].element, s.run[other_before].element});
+    region_.unite(s.run[other].element, s.run[before].element);
+    region_.unite(s.run[other_before].element, s.run[k].element);
+  }
+}
+
+}  // namespace blum
