@@ -13,6 +13,8 @@ namespace {
 
 /// A cell with more candidates is split untested: its test would cost more than its children's.
 constexpr std::size_t kMaxCandidates = 96;
+/// But after so many bisections that lost no candidate it is tested: they may all meet in a point.
+constexpr int kPatience = 4;
 constexpr int kPlaneAttempts = 8;
 constexpr std::size_t kIsolated = 16;
 /// Resolving stops at cells of this fraction of the box: what is left is a degenerate junction or
@@ -80,9 +82,12 @@ CellOutcome CellWorker::work(Cell& cell) {
     leaf.theorem = LeafTheorem::kOutside;
     return leaf;
   }
+  const auto before = cell.candidates.size();
   cell.candidates =
       production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
-  const bool small = cell.candidates.size() <= kMaxCandidates;
+  cell.stuck = cell.candidates.size() < before ? 0 : cell.stuck + 1;
+  const bool small =
+      cell.candidates.size() <= kMaxCandidates || cell.stuck % kPatience == kPatience - 1;
   if (small) {
     LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, cell.triangles);
     for (const auto& inherited : cell.face)
@@ -186,6 +191,7 @@ std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
     for (Cell* half : {&s.low, &s.high}) {
       half->box = cell.box;
       half->depth = cell.depth + 1;
+      half->stuck = cell.stuck;
     }
     const auto low_face = static_cast<std::size_t>(2 * axis), high_face = low_face + 1;
     s.low.box.hi[axis] = s.high.box.lo[axis] = m;

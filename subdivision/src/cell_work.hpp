@@ -23,6 +23,7 @@ struct Cell {
   std::uint32_t node = 0;
   Box3 box;
   int depth = 0;
+  int stuck = 0;  ///< bisections since a candidate was lost
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
