@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <string>
@@ -160,6 +161,24 @@ inline PolygonMesh moved(PolygonMesh mesh) {
   for (Point3& p : mesh.points)
     for (int k = 0; k < 3; ++k) p[k] += 5;
   return mesh;
+}
+
+/// A pyramid over an n-gon of radius 1, its corners and tip moved by up to `by`.
+inline PolygonMesh pyramid(Random& random, int n, double height, double by) {
+  PolygonMesh m;
+  const auto moved = [&](double x) { return x + by * uniform(random, -1, 1); };
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.3) / n;
+    m.points.push_back({moved(5 + std::cos(angle)), moved(5 + std::sin(angle)), 5});
+  }
+  m.points.push_back({moved(5), moved(5), 5 + height});
+  const auto tip = static_cast<std::uint32_t>(n);
+  m.faces.emplace_back();
+  for (std::uint32_t k = 0; k < tip; ++k) {
+    m.faces[0].push_back(tip - 1 - k);
+    m.faces.push_back({k, (k + 1) % tip, tip});
+  }
+  return m;
 }
 
 /// The catalogue: every kind of solid the engines must master.

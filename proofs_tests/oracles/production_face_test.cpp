@@ -111,6 +111,48 @@ TEST(SweepProductionFace, PrismAxes_GiveTheMapOfTheOracle) {
   EXPECT_EQ(tally.same, tally.problems);
 }
 
+/// Planes beside the axis of a prism or a pyramid, along it: many sheets side by side, and beside
+/// them those of the base.
+void planes_beside_axes(std::uint64_t seed, int rounds, Tally& tally) {
+  Random random(seed);
+  const double moves[] = {0, 1e-15, 1e-12, 1e-6, 1e-2};
+  for (int round = 0; round < rounds; ++round) {
+    const int n = 5 + static_cast<int>(random() % 12);
+    const double by = moves[random() % 5], height = test::uniform(random, 0.5, 5);
+    const bool flat = random() % 2 == 0;
+    const Scene s(flat ? "prism" : "pyramid",
+                  flat ? test::moved(shapes::prism(n, 1, height, {by, 0}))
+                       : test::pyramid(random, n, height, by));
+    const double beside = std::exp(test::uniform(random, std::log(1e-9), std::log(0.3))),
+                 half = beside * std::exp(test::uniform(random, -1, 5)),
+                 at = test::uniform(random, -1, 1);
+    const double low = 5 + height * test::uniform(random, 0.05, 0.6),
+                 high = low + height * test::uniform(random, 0.05, 0.5);
+    compare(s,
+            random() % 2 == 0 ? s.rect(0, 5 + beside, 5 + half * (at - 1), 5 + half * (at + 1), low,
+                                       std::min(high, 5 + 0.98 * height))
+                              : s.rect(1, 5 - beside, low, std::min(high, 5 + 0.98 * height),
+                                       5 + half * (at - 1), 5 + half * (at + 1)),
+            random() % 2 == 0, tally);
+  }
+  tally.print("planes beside axes");
+}
+
+TEST(ProductionFace, PlanesBesideAxes_GiveTheMapOfTheOracle) {
+  Tally tally;
+  planes_beside_axes(41, 16, tally);
+  EXPECT_GE(tally.same, 8);
+  EXPECT_LE(tally.production_gives_up, 1);
+  EXPECT_EQ(tally.same + tally.production_gives_up, tally.problems);
+}
+
+TEST(SweepProductionFace, PlanesBesideAxes_GiveTheMapOfTheOracle) {
+  Tally tally;
+  planes_beside_axes(42, 2'000, tally);
+  EXPECT_LE(50 * tally.production_gives_up, tally.problems);
+  EXPECT_EQ(tally.same + tally.production_gives_up, tally.problems);
+}
+
 /// Exactly regular: squares and octagons with short coordinates.
 TEST(ProductionFace, ExactSeamsOfEightWalls_GiveTheMapOfTheOracle) {
   Tally tally;
