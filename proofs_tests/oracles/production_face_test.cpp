@@ -148,7 +148,7 @@ TEST(ProductionFace, PlanesBesideAxes_GiveTheMapOfTheOracle) {
 
 TEST(SweepProductionFace, PlanesBesideAxes_GiveTheMapOfTheOracle) {
   Tally tally;
-  planes_beside_axes(42, 2'000, tally);
+  planes_beside_axes(42, 500, tally);
   EXPECT_LE(50 * tally.production_gives_up, tally.problems);
   EXPECT_EQ(tally.same + tally.production_gives_up, tally.problems);
 }

@@ -44,7 +44,7 @@ struct SubdivisionOptions {
   /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
   double max_leaf_diameter = 0;
   DistanceHint distance_hint;  ///< saves work; never changes the answer
-  int max_depth = 96;          ///< bisections from the box to a leaf
+  int max_depth = 128;         ///< bisections from the box to a leaf: 2^-43 of it
   /// Nodes of the tree of cells. Where it is reached with several threads, which cells are left
   /// undecided depends on their timing; nothing else of a result does, but for the two limits
   /// below.
