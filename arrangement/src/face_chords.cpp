@@ -27,17 +27,6 @@ bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a
   return false;
 }
 
-/// A group that is one of every two that tie, if there is one.
-std::optional<std::uint32_t> middle_of(const std::vector<std::vector<bool>>& ties) {
-  for (std::uint32_t base = 0; base < ties.size(); ++base) {
-    bool all = true;
-    for (std::size_t a = 0; a < ties.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) all &= !ties[a][b] || a == base || b == base;
-    if (all) return base;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 bool FaceEngine::accept_chords(const Border& border,
@@ -47,12 +36,15 @@ bool FaceEngine::accept_chords(const Border& border,
   if (!std::ranges::all_of(runs, come_in_twos)) return false;
   std::map<GroupPair, std::vector<GainPair>> pairs;
   std::vector<std::vector<bool>> ties(groups.count, std::vector<bool>(groups.count, false));
-  const auto parted = [&](const LocalForm& a, const LocalForm& c) {
-    // A certificate names no third face.
-    if (context_.plain || context_.voronoi() || a.side == 0 || c.side == 0) return false;
-    return std::ranges::any_of(forms, [&](const LocalForm& b) {
-      return b.site != a.site && b.site != c.site && parted_by(context_.geometry, a, c, b, range);
-    });
+  std::vector<std::array<SiteId, 3>> parted;
+  const auto find_parting = [&](const LocalForm& a, const LocalForm& c) {
+    if (context_.voronoi() || a.side == 0 || c.side == 0) return false;
+    for (const LocalForm& b : forms)
+      if (b.site != a.site && b.site != c.site && parted_by(context_.geometry, a, c, b, range)) {
+        parted.push_back({a.site, c.site, b.site});
+        return true;
+      }
+    return false;
   };
   const auto tie = [&](std::uint32_t g, std::uint32_t h) {
     if (closes_triangle(ties, g, h)) return false;
@@ -65,32 +57,25 @@ bool FaceEngine::accept_chords(const Border& border,
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j) {
       const auto g = groups.of[i], h = groups.of[j];
-      if (g == h || parted(forms[i], forms[j]) ||
+      if (g == h || find_parting(forms[i], forms[j]) ||
           !may_both_govern(context_, forms[i], forms[j], range))
         continue;
       if (!tie(g, h)) return false;
       const auto [a, b] = g < h ? std::pair{i, j} : std::pair{j, i};
       pairs[ordered(g, h)].push_back({a, b, pair_slope(context_, forms[a], forms[b], range)});
     }
-  const auto base = middle_of(ties);
-  if (context_.plain && !base) return false;
-  Directions directions(groups.count);
+  std::vector<PartRecord::Between> between;
   for (const auto& [pair, gains] : pairs) {
     const auto d = direction(gains, forms, range);
     if (!d) return false;
-    if (base && pair.first == *base)
-      directions[pair.second] = d->reversed();
-    else
-      directions[pair.first] = d;
+    between.push_back({forms[gains[0].i].site, forms[gains[0].j].site, in_plane(*d)});
   }
   for (std::size_t c = 0; c < runs.size(); ++c)
     record_chords(border.circle[c], runs[c], forms, feet);
-  if (base) {
-    note(&groups == &feet ? PartRecord::Kind::kFeetBands : PartRecord::Kind::kBands, forms, groups,
-         directions);
-    if (context_.parts != nullptr)
-      for (std::size_t i = 0; i < forms.size(); ++i)
-        if (groups.of[i] == *base) context_.parts->back().base = forms[i].site;
+  if (context_.parts != nullptr) {
+    note(&groups == &feet ? PartRecord::Kind::kFeetChords : PartRecord::Kind::kChords, forms);
+    context_.parts->back().between = std::move(between);
+    context_.parts->back().parted = std::move(parted);
   }
   return true;
 }

@@ -387,11 +387,14 @@ void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, c
         std::find(groups.of.begin(), groups.of.begin() + static_cast<std::ptrdiff_t>(i), g) !=
             groups.of.begin() + static_cast<std::ptrdiff_t>(i))
       continue;
-    const Direction& d = *directions[g];
-    PlaneDirection w{d.w[u_].mid, d.w[v_].mid, {}};
-    if (d.line) w.line = {d.line->from, d.line->to};
-    context_.parts->back().direction.emplace_back(forms[i].site, w);
+    context_.parts->back().direction.emplace_back(forms[i].site, in_plane(*directions[g]));
   }
+}
+
+PlaneDirection FaceEngine::in_plane(const Direction& d) const {
+  PlaneDirection w{d.w[u_].mid, d.w[v_].mid, {}};
+  if (d.line) w.line = {d.line->from, d.line->to};
+  return w;
 }
 
 FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,

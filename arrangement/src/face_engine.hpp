@@ -159,6 +159,7 @@ class FaceEngine {
   [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
                                                    std::span<const LocalForm> forms,
                                                    const Range& range);
+  [[nodiscard]] PlaneDirection in_plane(const Direction& d) const;
   /// Writes the part down, where that is asked for.
   void note(PartRecord::Kind kind, std::span<const LocalForm> forms, std::uint32_t vertex = 0,
             std::array<std::uint32_t, 2> edge = {});

@@ -108,6 +108,9 @@ bool may_both_govern(EngineContext& context, const LocalForm& a, const LocalForm
          (context.voronoi() || context.plain || fans_at_ties(context, a, b, range).tie);
 }
 
+/// Of what parts two sites, so much is asked for that a checker that rounds otherwise agrees.
+constexpr double kSteep = 0x1p10, kPartedBy = 0x1p-40;
+
 bool parted_by(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& c,
                const LocalForm& b, const Range& range) {
   if (a.side == 0 || c.side == 0 || !b.covers_side || b.kind != SiteKind::kFace) return false;
@@ -125,12 +128,12 @@ bool parted_by(const SiteGeometry& geometry, const LocalForm& a, const LocalForm
   }
   if (!(down > 0)) return false;
   const Ball t(up / down);
-  if (!std::isfinite(t.mid)) return false;
+  if (!(std::abs(t.mid) < kSteep)) return false;
   BallVector w;
   for (int k = 0; k < 3; ++k) w[k] = bc[k] - t * ac[k];
   const Ball hc = with_sign(c.height, c.side),
              h = with_sign(b.height, b.side) - hc - t * (with_sign(a.height, a.side) - hc);
-  return h.high() + spread(w, range) < 0;
+  return h.high() + spread(w, range) < -kPartedBy;
 }
 
 int side(EngineContext& context, const Direction& direction, std::uint32_t v, std::uint32_t p) {

@@ -150,6 +150,17 @@ Json Writer::cells(const CellComplex& complex) {
   return count;
 }
 
+/// The list with the direction added: two numbers, or two vertices.
+Json directed(Json list, const PlaneDirection& w) {
+  if (w.line) {
+    list.push_back(*w.line);
+  } else {
+    list.push_back(w.u);
+    list.push_back(w.v);
+  }
+  return list;
+}
+
 /// Null where the engine does not decide it as it did before.
 std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   std::vector<PartRecord> records;
@@ -168,19 +179,19 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
         j.push_back(Json::array({"outside"}));
         break;
       case Kind::kStar:
-      case Kind::kFeet:
-      case Kind::kBands:
-      case Kind::kFeetBands: {
+      case Kind::kFeet: {
         Json directions = Json::array();
-        for (const auto& [s, w] : r.direction) {
-          if (w.line)
-            directions.push_back({site(s), *w.line});
-          else
-            directions.push_back({site(s), w.u, w.v});
-        }
-        const bool by_feet = r.kind == Kind::kFeet || r.kind == Kind::kFeetBands;
-        j.push_back({by_feet ? "feet" : "star", sites(r.sites), directions});
-        if (r.kind == Kind::kBands || r.kind == Kind::kFeetBands) j.back().push_back(site(r.base));
+        for (const auto& [s, w] : r.direction) directions.push_back(directed({site(s)}, w));
+        j.push_back({r.kind == Kind::kFeet ? "feet" : "star", sites(r.sites), directions});
+        break;
+      }
+      case Kind::kChords:
+      case Kind::kFeetChords: {
+        Json between = Json::array(), parted = Json::array();
+        for (const auto& [a, b, w] : r.between) between.push_back(directed({site(a), site(b)}, w));
+        for (const auto& [a, b, c] : r.parted) parted.push_back({site(a), site(b), site(c)});
+        j.push_back(
+            {r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites), between, parted});
         break;
       }
       case Kind::kCone:
@@ -204,7 +215,7 @@ Json Writer::header(const SubdivisionOptions& options) const {
   const Box3& box = subdivision_.node[0].box;
   return {
       {"format", "blum-certificate"},
-      {"version", 1},
+      {"version", 2},
       {"model",
        {{"points", solid_.point.size()},
         {"triangles", triangles.size()},

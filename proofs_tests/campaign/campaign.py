@@ -24,7 +24,7 @@ import time
 import table
 from families import FAMILIES, generate
 from mesh import Mesh, betti_numbers
-from runner import CERTIFIED, DEFECTS, Limits, OUTCOMES, Runner
+from runner import CERTIFIED, DEFECTS, Limits, OUTCOMES, REFUSED, Runner
 from shrink import Shrinker
 from store import Store, model_text
 
@@ -57,11 +57,12 @@ def plan(arguments, store, done):
     return ((i, job) for i, job in enumerate(jobs) if job not in done)
 
 
-def one_run(runner, index, job, axis_every):
+def one_run(runner, index, job, axis_every, verify_every):
     name, seed = job
     mesh, parameters, expected = generate(name, seed)
     row = runner.run(mesh, expected, parameters["blum_seed"],
-                     axis_every > 0 and index % axis_every == 0 and len(mesh.faces) <= 400)
+                     axis_every > 0 and index % axis_every == 0 and len(mesh.faces) <= 400,
+                     verify_every > 0 and index % verify_every == 0)
     if row is None:
         return None
     row.update(family=name, seed=seed, parameters=parameters)
@@ -82,7 +83,8 @@ def run(arguments):
         late = arguments.seconds and time.monotonic() - start > arguments.seconds
         job = None if late else next(jobs, None)
         if job is not None:
-            pending.add(pool.submit(one_run, runner, *job, arguments.check_axis))
+            pending.add(pool.submit(one_run, runner, *job, arguments.check_axis,
+                                    arguments.verify))
 
     try:
         for _ in range(arguments.workers):
@@ -96,7 +98,7 @@ def run(arguments):
                 row.update(commit_id=commit, limits=limits.text())
                 identifier = store.add(row, mesh if row["outcome"] != CERTIFIED else None)
                 finished += 1
-                defects += row["outcome"] in DEFECTS
+                defects += row["outcome"] in DEFECTS or row.get("certificate") == REFUSED
                 if row["outcome"] != CERTIFIED or arguments.verbose:
                     print(f"{identifier}: {row['family']} {row['seed']}: {row['outcome']} "
                           f"{row['reason']} ({row['faces']} faces, {row['time_s']:.1f} s)",
@@ -158,7 +160,8 @@ def replay(arguments):
     row, mesh = recorded(arguments)
     runner = Runner(arguments.tool, limits_of(arguments))
     seed = json.loads(row["parameters"])["blum_seed"]
-    new = runner.run(mesh, betti_numbers(mesh), seed, arguments.check_axis > 0)
+    new = runner.run(mesh, betti_numbers(mesh), seed, arguments.check_axis > 0,
+                     arguments.verify > 0)
     before = {name: row[name] for name in row.keys() if name not in ("model", "id")}
     for name, value in new.items():
         print(f"{name:15} {value}" + ("" if name not in before or encoded(value) == before[name]
@@ -218,6 +221,8 @@ def parser():
                            help="seconds after the limit (and a quarter) when a run is killed")
             p.add_argument("--check-axis", type=int, default=0,
                            help="check radii by brute force in every nth run")
+            p.add_argument("--verify", type=int, default=0,
+                           help="write and verify a certificate in every nth run")
         return p
 
     p = command("run", run, True)

@@ -22,6 +22,9 @@ CERTIFIED, UNDECIDED, INVALID, WRONG, CRASH, KILLED = (
 OUTCOMES = [CERTIFIED, UNDECIDED, INVALID, WRONG, CRASH, KILLED]
 DEFECTS = [WRONG, CRASH, KILLED]
 
+# What `blum verify` says of the certificate of a run that is certified.
+VERIFIED, INCOMPLETE, REFUSED = "verified", "incomplete", "refused"
+
 CHECK_RADIUS = pathlib.Path(__file__).resolve().parent.parent / "integration" / "check_radius.py"
 
 
@@ -67,7 +70,7 @@ class Runner:
             for process in self.running:
                 os.killpg(process.pid, signal.SIGKILL)
 
-    def run(self, mesh, expected, blum_seed=1, check_axis=False):
+    def run(self, mesh, expected, blum_seed=1, check_axis=False, verify=False):
         """A dictionary of what store.py keeps, or None if stopped."""
         row = {"betti_expected": expected, "vertices": len(mesh.points), "faces": len(mesh.faces),
                "model_hash": self.hash_of(mesh)}
@@ -80,17 +83,51 @@ class Runner:
             if ended is None:
                 return None
             row.update(ended)
+            del row["stdout"]
             summary = None
             if (folder / "x.json").is_file():
                 summary = json.loads((folder / "x.json").read_text())
                 row.update(from_summary(summary))
             row["outcome"], row["reason"] = judge(row, summary)
-            # A certificate, once there is one, is to be verified here too.
             if row["outcome"] == CERTIFIED and check_axis:
                 row["axis_checked"], complaint = check_radii(folder, mesh)
                 if complaint:
                     row["outcome"], row["reason"] = WRONG, "axis: " + complaint
+            if row["outcome"] == CERTIFIED and verify:
+                checked = self._verify(folder, blum_seed)
+                if checked is None:
+                    return None
+                row.update(checked)
         return row
+
+    def _verify(self, folder, blum_seed):
+        """Of a run of its own: one that writes a certificate decides by simpler rules."""
+        made = self._call(folder, [
+            self.tool, "medial", "model.off", "-o", "y", "--certificate", "y.cert", "--threads",
+            "1", "--seed", str(blum_seed), *self.limits.arguments()])
+        if made is None:
+            return None
+        row = {"certificate_s": made["time_s"]}
+        if made["exit_code"] == 3:
+            return {**row, "certificate": INCOMPLETE, "statement": "undecided without fans and planes"}
+        if made["exit_code"] != 0:
+            return {**row, "outcome": CRASH, "reason": f"--certificate: {how(made)}"}
+        row["certificate_bytes"] = (folder / "y.cert").stat().st_size
+        checked = self._call(folder, [self.tool, "verify", "model.off", "y.cert"])
+        if checked is None:
+            return None
+        row["verify_s"] = checked["time_s"]
+        if checked["late"]:
+            return {**row, "certificate": INCOMPLETE, "statement": "not verified in time"}
+        if checked["exit_code"] == 0:
+            return {**row, "certificate": VERIFIED}
+        if checked["exit_code"] != 4:
+            return {**row, "outcome": CRASH, "reason": f"verify: {how(checked)}"}
+        said = re.search(r"^FALSE +(.*)$", checked["stdout"], re.MULTILINE)
+        statement = re.sub(r"\d[-+.e0-9]*", "#", said.group(1) if said else "no statement")
+        incomplete = "the result is not certified" in statement
+        return {**row, "certificate": INCOMPLETE if incomplete else REFUSED,
+                "statement": statement}
 
     def _call(self, folder, command):
         late = threading.Event()
@@ -101,13 +138,13 @@ class Runner:
                 if process in self.running:
                     os.killpg(process.pid, signal.SIGKILL)
 
-        with open(folder / "stderr", "wb") as errors:
+        with open(folder / "stderr", "wb") as errors, open(folder / "stdout", "wb") as output:
             start = time.monotonic()
             with self.lock:
                 if self.stopped:
                     return None
                 process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL,
-                                           stdout=subprocess.DEVNULL, stderr=errors,
+                                           stdout=output, stderr=errors,
                                            start_new_session=True)
                 self.limits.apply(process)
                 self.running.add(process)
@@ -126,8 +163,16 @@ class Runner:
         return {"exit_code": None if by_signal else os.WEXITSTATUS(status),
                 "signal": os.WTERMSIG(status) if by_signal else None, "late": late.is_set(),
                 "stderr": (folder / "stderr").read_text(errors="replace")[-2000:],
+                "stdout": (folder / "stdout").read_text(errors="replace")[-2000:],
                 "time_s": elapsed, "cpu_s": usage.ru_utime + usage.ru_stime,
                 "memory": usage.ru_maxrss << 10}
+
+
+def how(ended):
+    """A run ended that should have ended otherwise."""
+    if ended["signal"] is not None:
+        return "late" if ended["late"] else signal.Signals(ended["signal"]).name
+    return f"exit code {ended['exit_code']}"
 
 
 def from_summary(summary):

@@ -13,7 +13,8 @@ COLUMNS = {
     "undecided_cells": "INTEGER", "undecided_depth": "INTEGER", "stage_filter": "INTEGER", "stage_extended": "INTEGER",
     "stage_exact": "INTEGER", "time_s": "REAL", "cpu_s": "REAL", "memory": "INTEGER",
     "exit_code": "INTEGER", "signal": "INTEGER", "late": "INTEGER", "axis_checked": "INTEGER",
-    "stderr": "TEXT", "model": "BLOB",
+    "certificate": "TEXT", "statement": "TEXT", "certificate_s": "REAL", "verify_s": "REAL",
+    "certificate_bytes": "INTEGER", "stderr": "TEXT", "model": "BLOB",
 }
 
 

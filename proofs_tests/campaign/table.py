@@ -3,10 +3,10 @@
 import collections
 import statistics
 
-from runner import CERTIFIED, CRASH, INVALID, KILLED, UNDECIDED, WRONG
+from runner import CERTIFIED, CRASH, INVALID, KILLED, UNDECIDED, VERIFIED, WRONG
 
 HEAD = ["family", "runs", "invalid", "certified", "undecided", "wrong", "crash", "killed",
-        "not certified", "sites", "time s", "most s", "most MiB"]
+        "not certified", "verified", "sites", "time s", "most s", "most MiB"]
 
 
 def line(name, rows):
@@ -14,8 +14,10 @@ def line(name, rows):
     valid = [row for row in rows if row["outcome"] != INVALID]
     share = 1 - count[CERTIFIED] / len(valid) if valid else 0
     times = [row["time_s"] for row in valid] or [0]
+    asked = collections.Counter(row["certificate"] for row in rows if row["certificate"])
     return [name, len(rows), count[INVALID], count[CERTIFIED], count[UNDECIDED], count[WRONG],
             count[CRASH], count[KILLED], f"{100 * share:.1f} %",
+            f"{asked[VERIFIED]} of {asked.total()}",
             max((row["sites"] or 0 for row in valid), default=0),
             f"{statistics.median(times):.2f}", f"{max(times):.1f}",
             f"{max((row['memory'] or 0 for row in valid), default=0) / 2**20:.0f}"]
@@ -39,5 +41,13 @@ def text(rows):
     for (outcome, reason), n in sorted(causes.items()):
         ids = [str(r["id"]) for r in rows if (r["outcome"], r["reason"]) == (outcome, reason)]
         out.append(f"  {n:5}  {outcome}: {reason}  (" + ", ".join(ids[:6]) +
+                   (", ..." if n > 6 else "") + ")")
+    statements = collections.Counter((row["certificate"], row["statement"]) for row in rows
+                                     if row["certificate"] not in (None, VERIFIED))
+    if statements:
+        out += ["", "certificates not verified (runs, first ids):"]
+    for (outcome, statement), n in sorted(statements.items()):
+        ids = [str(r["id"]) for r in rows if (r["certificate"], r["statement"]) == (outcome, statement)]
+        out.append(f"  {n:5}  {outcome}: {statement}  (" + ", ".join(ids[:6]) +
                    (", ..." if n > 6 else "") + ")")
     return "\n".join(out)

@@ -110,7 +110,7 @@ const std::vector<Mutation>& false_mutations() {
          if (below(random, 2) == 0)
            r[0]["header"]["format"] = "blum-certificat";
          else
-           r[0]["header"]["version"] = 2 + below(random, 9);
+           r[0]["header"]["version"] = 3 + below(random, 9);
          return true;
        }},
       {"of another model",

@@ -131,6 +131,35 @@ bool Exclusion::never_tie(Site a, Site b, const Box3& box) const {
   return farther(a, b, box) || farther(b, a, box);
 }
 
+bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
+  const Shape& shape = sites_.shape();
+  if (std::ranges::any_of(std::array{a, b, c},
+                          [&](Site s) { return shape.kind(s) != Kind::kFace; }) ||
+      (!sites_.covers(b, box) && !sites_.covers_with_neighbour(b, box)))
+    return false;
+  // There d = t d_a + (1 - t) d_c for every number t, and inside all planes distances are minus the
+  // heights: affine. The best t leaves the least slope over the box.
+  const Point3 center = center_of(box);
+  const auto h = half_widths(box, center);
+  const auto height = [&](Site s) {
+    return dot(difference(center, shape.point[*shape.corners(s).begin()]), unit_[s]);
+  };
+  const BallVector ca = minus(unit_[c], unit_[a]), cb = minus(unit_[c], unit_[b]);
+  double up_sum = 0, down_sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    up_sum += h[k] * h[k] * ca[k].mid * cb[k].mid;
+    down_sum += h[k] * h[k] * ca[k].mid * ca[k].mid;
+  }
+  const double share = up_sum / down_sum;
+  if (!std::isfinite(share)) return false;
+  const Ball t(share);
+  const BallVector w = minus(cb, times(ca, t));
+  double spread = 0;
+  for (int k = 0; k < 3; ++k) spread += w[k].magnitude() * h[k];
+  const Ball hc = height(c), gap = (hc - height(b)) - t * (hc - height(a));
+  return gap.high() + up(spread) < 0;
+}
+
 Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) const {
   const Shape& shape = sites_.shape();
   View v;

@@ -27,6 +27,9 @@ class Exclusion {
   /// Is it certain that no point of box ∩ O is governed by both?
   [[nodiscard]] bool never_tie(Site a, Site b, const Box3& box) const;
 
+  /// Three faces: is b certain to be nearer wherever in box ∩ O both a and c govern? Then nowhere.
+  [[nodiscard]] bool nearer_at_ties(Site b, Site a, Site c, const Box3& box) const;
+
   [[nodiscard]] const Sites& sites() const { return sites_; }
 
   /// Unit outer normal of a face, unit direction of an edge.

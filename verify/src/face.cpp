@@ -75,7 +75,8 @@ class FaceChecker {
   };
   Border label(const Circle& circle, const Part& part, const Groups& feet);
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim);
-  void record_bands(const Circle& circle, const Part& part, const Groups& feet, const Claim& claim);
+  void record_chords(const Circle& circle, const Part& part, const Groups& feet,
+                     const Claim& claim);
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t element_of(const Step& s);
   [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge);
@@ -241,13 +242,6 @@ std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
   return found;
 }
 
-std::optional<std::uint32_t> base_of(const Claim& claim, const Groups& groups, const Part& part) {
-  if (!claim.base) return std::nullopt;
-  const auto g = groups.find(part.sites, *claim.base);
-  require(g < groups.count, "bands: the base is not there");
-  return g;
-}
-
 bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet) {
   std::vector<std::uint32_t> groups;
   const auto first = std::ranges::find_if(circle, &Step::separates);
@@ -268,7 +262,7 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
   const Groups groups =
       claim.by_feet ? groups_by_feet(sites, part.sites, feet) : groups_by_ties(sites, part.sites);
   require(groups.cliques, "Theorem D': a group with an essential tie");
-  const std::optional<std::uint32_t> base = base_of(claim, groups, part);
+  std::vector<std::vector<std::uint32_t>> all;
   for (const Circle& circle : circles) {
     // Ties and convex edges are where the group changes, and each group has one run.
     const auto first = std::ranges::find_if(circle, &Step::separates);
@@ -291,15 +285,16 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
         static_cast<std::size_t>(std::ranges::count_if(circle, &Step::separates));
     require(separators == 0 ? runs.size() == 1 : runs.size() == separators && runs.size() > 1,
             "Theorem D': two ties beside each other");
-    for (std::size_t k = 0; base && runs.size() > 1 && k < runs.size(); ++k)
-      require((runs[k] == *base) != (runs[(k + 1) % runs.size()] == *base),
-              "bands: two intervals beside each other of which none, or both, are of the base");
-    std::erase_if(runs, [&](auto g) { return base == g; });
+    all.push_back(runs);
+    if (claim.type == Claim::Type::kChords) continue;
     std::ranges::sort(runs);
     require(std::ranges::adjacent_find(runs) == runs.end(),
             "Theorem D': a group governs two intervals of a border");
   }
-  check_directions(part, groups, feet, claim);
+  if (claim.type == Claim::Type::kChords)
+    check_chords(part, groups, feet, all, claim);
+  else
+    check_directions(part, groups, feet, claim);
 }
 
 /// Labels the regions along a circle, and makes them one piece.
@@ -355,21 +350,25 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
     arc_.push_back({{center, ends[k]}, {runs[(k + n - 1) % n], runs[k]}});
 }
 
-/// Bands: one arc around each interval that is not of the base, whose intervals are one region.
-void FaceChecker::record_bands(const Circle& circle, const Part& part, const Groups& feet,
-                               const Claim& claim) {
+/// Chords: an arc joins the two ends between the same groups; runs on one side of it are one
+/// region.
+void FaceChecker::record_chords(const Circle& circle, const Part& part, const Groups& feet,
+                                const Claim& claim) {
   const Groups groups = claim.by_feet ? feet : groups_by_ties(exclusion_.sites(), part.sites);
-  const auto base = base_of(claim, groups, part);
   const Border b = label(circle, part, feet);
-  std::optional<std::uint32_t> whole;
-  for (std::size_t k = 0; k < b.run.size(); ++k)
-    if (groups.find(part.sites, b.label[k]) == *base) {
-      if (!whole) whole = b.run[k];
-      region_.unite(*whole, b.run[k]);
-    } else if (b.run.size() > 1) {
-      const std::size_t next = (k + 1) % b.run.size();
-      arc_.push_back({{b.end[k], b.end[next]}, {b.run[k], b.run[next]}});
-    }
+  const std::size_t n = b.end.size();
+  std::map<std::array<std::uint32_t, 2>, std::size_t> first;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto before = [n](std::size_t i) { return (i + n - 1) % n; };
+    const auto g = groups.find(part.sites, b.label[before(k)]),
+               h = groups.find(part.sites, b.label[k]);
+    const auto [it, fresh] = first.try_emplace({std::min(g, h), std::max(g, h)}, k);
+    if (fresh) continue;
+    const std::size_t i = it->second;
+    arc_.push_back({{b.end[i], b.end[k]}, {b.run[i], b.run[before(i)]}});
+    region_.unite(b.run[i], b.run[before(k)]);
+    region_.unite(b.run[before(i)], b.run[k]);
+  }
 }
 
 void FaceChecker::check_part(const Box& box, const Claim& claim) {
@@ -394,7 +393,7 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const SharedFeet shared(exclusion_, part.sites, part.box);
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
-  if (claim.type == Claim::Type::kStar) {
+  if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
     check_star(part, shared, border, claim);
   } else {
     require(border.size() == 1 &&
@@ -416,8 +415,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
     }
   }
   for (const Circle& c : border) {
-    if (claim.type == Claim::Type::kStar && claim.base)
-      record_bands(c, part, feet, claim);
+    if (claim.type == Claim::Type::kChords)
+      record_chords(c, part, feet, claim);
     else
       record(c, part, feet, rim);
   }

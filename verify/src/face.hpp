@@ -15,16 +15,23 @@ struct Direction {
 /// What the certificate says of one part.
 struct Claim {
   enum class Type : std::uint8_t {
-    kStar,   ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
-    kCone,   ///< Theorem G about `vertex`
-    kRim,    ///< a rim inside the solid, of two edges at `vertex`
-    kExact,  ///< exact algebra, which this checker has not: it cannot show such a part
+    kStar,    ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
+    kChords,  ///< Theorem D', chords
+    kCone,    ///< Theorem G about `vertex`
+    kRim,     ///< a rim inside the solid, of two edges at `vertex`
+    kExact,   ///< exact algebra, which this checker has not: it cannot show such a part
   };
   Type type = Type::kStar;
   bool by_feet = false;
   std::vector<Site> sites;  ///< sorted; the others of the face govern nothing in the part
   std::vector<std::pair<Site, Direction>> direction;  ///< of the group that holds the site
-  std::optional<Site> base;  ///< bands: its group has no direction, and parts the others
+  /// Chords: the group of `a` gains on that of `b` along the direction.
+  struct Between {
+    Site a, b;
+    Direction along;
+  };
+  std::vector<Between> between;
+  std::vector<std::array<Site, 3>> parted;  ///< where the first two govern, the third is nearer
   std::uint32_t vertex = 0;
   std::array<std::uint32_t, 2> edge{};
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "failure.hpp"
 
@@ -85,34 +87,87 @@ bool gains_by_fans(const Exclusion& exclusion, Site a, Site b, const Vec<Rationa
 
 }  // namespace
 
+namespace {
+
+/// Does a gain on b along w, wherever in the part both govern?
+bool gains(const Part& part, const SharedFeet& feet, Site a, Site b, const Vec<Rational>& w) {
+  const Sites& sites = part.exclusion.sites();
+  return std::ranges::all_of(BoxCorners(part.box),
+                             [&](const Point3& x) { return sites.slope(x, a, b, w) < 0; }) ||
+         gains_by_fans(part.exclusion, a, b, w) ||
+         (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w));
+}
+
+/// Sites of two groups that never tie essentially govern no point together (Lemma 1).
+bool may_both_govern(const Part& part, Site a, Site b) {
+  return !part.exclusion.sites().never_essential(a, b) && !part.exclusion.never_tie(a, b, part.box);
+}
+
+}  // namespace
+
 void check_directions(const Part& part, const Groups& groups, const SharedFeet& feet,
                       const Claim& claim) {
   if (groups.count < 2) return;
-  const Sites& sites = part.exclusion.sites();
   std::vector<std::optional<Vec<Rational>>> w(groups.count);
   for (const auto& [site, direction] : claim.direction) {
     const auto g = groups.find(part.sites, site);
     if (g < groups.count) w[g] = vector_of(part, direction);
   }
-  std::optional<std::uint32_t> base;
-  if (claim.base) base = groups.find(part.sites, *claim.base);
-  const BoxCorners corners(part.box);
   for (std::size_t i = 0; i < part.sites.size(); ++i)
     for (std::size_t j = 0; j < part.sites.size(); ++j) {
-      const Site a = part.sites[i], b = part.sites[j];
       const auto g = groups.of[i];
-      // Sites of two groups that never tie essentially govern no point together (Lemma 1).
-      if (g == groups.of[j] || base == g || sites.never_essential(a, b) ||
-          part.exclusion.never_tie(a, b, part.box))
-        continue;
-      require(!base || base == groups.of[j], "bands: two groups beside the base may tie");
+      if (g == groups.of[j] || !may_both_govern(part, part.sites[i], part.sites[j])) continue;
       require(w[g].has_value(), "Theorem D': a group without direction");
-      const bool gains = std::ranges::all_of(
-          corners, [&](const Point3& x) { return sites.slope(x, a, b, *w[g]) < 0; });
-      require(gains || gains_by_fans(part.exclusion, a, b, *w[g]) ||
-                  (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, *w[g])),
+      require(gains(part, feet, part.sites[i], part.sites[j], *w[g]),
               "Theorem D': a group does not gain along its direction");
     }
+}
+
+void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet,
+                  std::span<const std::vector<std::uint32_t>> runs, const Claim& claim) {
+  using Pair = std::array<std::uint32_t, 2>;
+  const auto ordered = [](std::uint32_t g, std::uint32_t h) {
+    return Pair{std::min(g, h), std::max(g, h)};
+  };
+  std::set<Pair> ties;
+  for (const auto& run : runs) {
+    std::map<Pair, int> shown;
+    for (std::size_t k = 0; run.size() > 1 && k < run.size(); ++k)
+      ++shown[ordered(run[k], run[(k + 1) % run.size()])];
+    for (const auto& [pair, times] : shown) {
+      require(times == 2, "chords: two groups beside each other not at two places of a border");
+      ties.insert(pair);
+    }
+  }
+  std::map<Pair, Vec<Rational>> along;  // the first gains on the second
+  for (const auto& [a, b, direction] : claim.between) {
+    const auto g = groups.find(part.sites, a), h = groups.find(part.sites, b);
+    require(g < groups.count && h < groups.count,
+            "chords: a direction of sites that are not there");
+    along[{g, h}] = vector_of(part, direction);
+  }
+  std::map<Pair, Site> third;
+  for (const auto& [a, b, c] : claim.parted) third[ordered(a, b)] = c;
+  for (std::size_t i = 0; i < part.sites.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Site a = part.sites[i], b = part.sites[j];
+      const auto g = groups.of[i], h = groups.of[j];
+      if (g == h) continue;
+      const auto c = third.find(ordered(a, b));
+      if ((c != third.end() && part.exclusion.nearer_at_ties(c->second, a, b, part.box)) ||
+          !may_both_govern(part, a, b))
+        continue;
+      ties.insert(ordered(g, h));
+      const auto forth = along.find({g, h}), back = along.find({h, g});
+      require(forth != along.end() || back != along.end(), "chords: two groups without direction");
+      require(forth != along.end() ? gains(part, feet, a, b, forth->second)
+                                   : gains(part, feet, b, a, back->second),
+              "chords: a group does not gain along the direction");
+    }
+  for (const Pair& p : ties)
+    for (std::uint32_t g = 0; g < groups.count; ++g)
+      require(!ties.contains(ordered(p[0], g)) || !ties.contains(ordered(p[1], g)),
+              "chords: three groups may meet");
 }
 
 void check_cone(const Part& part, std::uint32_t v) {

@@ -17,6 +17,10 @@ struct Part {
 void check_directions(const Part& part, const Groups& groups, const SharedFeet& feet,
                       const Claim& claim);
 
+/// Theorem D', chords. `runs`: of each circle, the groups of its intervals.
+void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet,
+                  std::span<const std::vector<std::uint32_t>> runs, const Claim& claim);
+
 /// Theorem G: all sites have the corner v, which is not in the plane, and feet on their cones stay
 /// in them.
 void check_cone(const Part& part, std::uint32_t v);

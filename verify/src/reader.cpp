@@ -108,6 +108,18 @@ std::vector<Site> read_sites(const nlohmann::json& j, std::uint32_t limit) {
   return sites;
 }
 
+namespace {
+
+Direction read_direction(const nlohmann::json& j, std::size_t at, const Shape& shape) {
+  if (!j.at(at).is_array()) return {read_number(j.at(at)), read_number(j.at(at + 1)), {}};
+  Direction w;
+  w.line = {read_index(j.at(at).at(0), shape.point.size()),
+            read_index(j.at(at).at(1), shape.point.size())};
+  return w;
+}
+
+}  // namespace
+
 std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
   std::vector<PartNode> parts;
   if (!j.is_array()) throw Unreadable("parts are not a list");
@@ -128,16 +140,17 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
     c.sites = read_sites(p.at(1), shape.sites());
     if (kind == "star" || kind == "feet") {
       c.by_feet = kind == "feet";
-      for (const auto& d : p.at(2)) {
-        Direction w;
-        if (d.at(1).is_array())
-          w.line = {read_index(d.at(1).at(0), shape.point.size()),
-                    read_index(d.at(1).at(1), shape.point.size())};
-        else
-          w = {read_number(d.at(1)), read_number(d.at(2)), {}};
-        c.direction.emplace_back(read_index(d.at(0), shape.sites()), w);
-      }
-      if (p.size() > 3) c.base = read_index(p.at(3), shape.sites());
+      for (const auto& d : p.at(2))
+        c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
+    } else if (kind == "chords" || kind == "feet chords") {
+      c.type = Claim::Type::kChords;
+      c.by_feet = kind == "feet chords";
+      for (const auto& d : p.at(2))
+        c.between.push_back({read_index(d.at(0), shape.sites()), read_index(d.at(1), shape.sites()),
+                             read_direction(d, 2, shape)});
+      for (const auto& t : p.at(3))
+        c.parted.push_back({read_index(t.at(0), shape.sites()), read_index(t.at(1), shape.sites()),
+                            read_index(t.at(2), shape.sites())});
     } else if (kind == "cone") {
       c.type = Claim::Type::kCone;
       c.vertex = read_index(p.at(2), shape.point.size());

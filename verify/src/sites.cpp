@@ -136,6 +136,27 @@ bool Sites::covers(Site s, const Box3& box) const {
   });
 }
 
+bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
+  const BoxCorners corners(box);
+  const auto holds = [&](const Condition& c) {
+    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
+  };
+  const auto t = shape_.element(face);
+  const auto at = [](const Condition& c, const auto& edge) {
+    return c.type == Condition::Type::kPrism &&
+           std::minmax(c.a, c.b) == std::minmax(edge[0], edge[1]);
+  };
+  return std::ranges::any_of(shape_.triangle[t].edge, [&](std::uint32_t e) {
+    const auto& edge = shape_.edge[e];
+    const auto other = edge.triangle[edge.triangle[0] == t ? 1 : 0];
+    const auto but_there = [&](Site s) {
+      return std::ranges::all_of(
+          conditions(s), [&](const Condition& c) { return at(c, edge.vertex) || holds(c); });
+    };
+    return edge.bend == Bend::kFlat && but_there(face) && but_there(shape_.face_site(other));
+  });
+}
+
 template <class N>
 Sites::Fraction<N> Sites::squared_distance(const Vec<N>& x, Site s) const {
   const auto i = shape_.element(s);

@@ -54,6 +54,9 @@ class Sites {
   /// side?
   [[nodiscard]] bool covers(Site s, const Box3& box) const;
 
+  /// The same for a face and, if it leaves the face across a flat edge, the neighbour there.
+  [[nodiscard]] bool covers_with_neighbour(Site face, const Box3& box) const;
+
   /// Sign of d_a(x) - d_b(x), distances to the carriers.
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;
   /// Sign of the signed height of x over face a minus that over face b.

@@ -15,7 +15,7 @@ namespace blum::verify {
 namespace {
 
 constexpr const char* kFormat = "blum-certificate";
-constexpr int kVersion = 1, kMaxDepth = 1000;
+constexpr int kVersion = 2, kMaxDepth = 1000;
 constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
 constexpr std::size_t kMostCells = 0xffffffffu;
 

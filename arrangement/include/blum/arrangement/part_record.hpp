@@ -27,8 +27,8 @@ struct PartRecord {
     kOutside,  ///< the part does not meet the solid
     kStar,     ///< Theorem D' with groups by ties
     kFeet,     ///< Theorem D'' with groups by feet
-    kBands,    ///< Theorem D', bands: the group of `base` has no direction; groups by ties
-    kFeetBands,
+    kChords,   ///< Theorem D', chords: by `between` and `parted`; groups by ties
+    kFeetChords,
     kCone,     ///< Theorem G about `vertex`
     kRim,      ///< the rim of two edges at `vertex`
     kExact,    ///< exact algebra
@@ -38,7 +38,14 @@ struct PartRecord {
   std::vector<SiteId> sites;  ///< all that may govern the part
   /// Of the group that holds the site. Groups that need none are missing.
   std::vector<std::pair<SiteId, PlaneDirection>> direction;
-  SiteId base{};
+  /// Chords: the group of a gains on that of b along the direction.
+  struct Between {
+    SiteId a, b;
+    PlaneDirection along;
+  };
+  std::vector<Between> between;
+  /// Chords: wherever the first two govern, the third, a face, would be nearer.
+  std::vector<std::array<SiteId, 3>> parted;
   std::uint32_t vertex = 0;
   std::array<std::uint32_t, 2> edge{};
 };
