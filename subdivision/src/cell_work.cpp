@@ -122,11 +122,10 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
       return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
                                  cell.candidates, cell.triangles);
     };
-  CellAnswer a =
-      medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face, oracles,
-                          resolve)
-              : test_voronoi_cell(geometry_, cell.box, cell.candidates, cell.face,
-                                  options_.criterion, resolve);
+  CellAnswer a = medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles,
+                                     cell.face, oracles, resolve)
+                         : test_voronoi_cell(production_.predicates(), cell.box, cell.candidates,
+                                             cell.face, options_.criterion, resolve);
   stats_.planes_tried += static_cast<std::size_t>(a.planes_tried);
   leaf.theorem = !medial_    ? LeafTheorem::kVoronoi
                  : a.conical ? LeafTheorem::kConical
