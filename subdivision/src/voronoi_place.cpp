@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "blum/subdivision/cell_test.hpp"
+#include "meeting.hpp"
 
 namespace blum {
 namespace {
@@ -65,43 +66,13 @@ Place by_bounds(const SiteGeometry& geometry, SiteId site, const Box3& box) {
 /// How often a boundary edge crosses the surface of the box; nullopt: a face's border or a plane of
 /// the box is hit exactly.
 std::optional<int> crossings(Predicates& predicates, std::uint32_t edge, const Box3& box) {
-  const Solid& solid = predicates.geometry().solid();
-  const Point3 &a = solid.point[solid.edge[edge].vertex[0]],
-               &b = solid.point[solid.edge[edge].vertex[1]];
   int n = 0;
   for (int f = 0; f < 6; ++f) {
-    const int axis = f / 2;
-    const double level = f % 2 == 0 ? box.lo[axis] : box.hi[axis];
-    if (a[axis] == level || b[axis] == level) return std::nullopt;
-    if ((a[axis] < level) == (b[axis] < level)) continue;
-    bool inside = true;
-    for (const int along : {u_axis(axis), v_axis(axis)}) {
-      const int low = predicates.compare_edge_crossing(edge, axis, level, along, box.lo[along]),
-                high = predicates.compare_edge_crossing(edge, axis, level, along, box.hi[along]);
-      if (low == 0 || high == 0) return std::nullopt;
-      inside = inside && low > 0 && high < 0;
-    }
-    n += inside;
+    const auto crossed = edge_crosses(predicates, edge, box_face(box, f));
+    if (!crossed) return std::nullopt;
+    n += *crossed;
   }
   return n;
-}
-
-/// A triangle whose border misses the box: is its section with the box that of its plane, or empty?
-std::optional<bool> is_section(Predicates& predicates, std::uint32_t triangle, const Box3& box) {
-  for (int axis = 0; axis < 3; ++axis)
-    for (int corner = 0; corner < 4; ++corner) {
-      const int ua = u_axis(axis), va = v_axis(axis);
-      const double u = (corner & 1) != 0 ? box.hi[ua] : box.lo[ua],
-                   v = (corner & 2) != 0 ? box.hi[va] : box.lo[va];
-      const int low = predicates.plane_side(point_on(axis, box.lo[axis], u, v), triangle),
-                high = predicates.plane_side(point_on(axis, box.hi[axis], u, v), triangle);
-      if (low == 0 || high == 0) return std::nullopt;
-      if (low == high) continue;
-      const auto pierced = predicates.pierces(triangle, axis, u, v);
-      if (!pierced) return std::nullopt;
-      return *pierced != 0;
-    }
-  return false;
 }
 
 }  // namespace
