@@ -424,6 +424,16 @@ Command add_voronoi_command(CLI::App& app) {
                    "How much larger than the solid's the box is in which the diagram is computed,\n"
                    "as a fraction; at least, up to a tenth more by chance")
       ->capture_default_str();
+  voronoi
+      ->add_option(
+          "--side", options.side,
+          "The part of the diagram that is wanted: inside (the closed solid), outside (the\n"
+          "closure of the rest of the box) or both")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, VoronoiSide>{{"inside", VoronoiSide::kInside},
+                                             {"outside", VoronoiSide::kOutside},
+                                             {"both", VoronoiSide::kBoth}}))
+      ->default_str("both");
   voronoi->add_option(
       "--graph", arguments->graph,
       "Write the Voronoi graph (faces, edges, vertices, what lies on what, with their\n"
@@ -441,14 +451,16 @@ Command add_voronoi_command(CLI::App& app) {
       ->default_str("relaxed");
   voronoi->footer(
       R"(The sites are the triangles, edges and vertices of the boundary that have a region with an
-interior. The diagram is computed inside and outside the solid, in a box around it. Files and exit
-codes are those of `blum medial`; the summary gains "voronoi", with
-euler = 1 + regions - pieces_euler.
+interior. The diagram is computed inside and outside the solid, in a box around it, or on one side.
+Files and exit codes are those of `blum medial`; the summary gains "voronoi", with
+  both     euler = 1 + regions - pieces_euler
+  inside   euler = solid_euler + regions_inside
+  outside  euler = 1 + solid_euler + regions_outside - pieces_euler
 
 Examples:
   blum voronoi part.stl
   blum voronoi part.stl --margin 0.5 --summary part.json
-  blum voronoi part.stl --graph part.graphml
+  blum voronoi part.stl --side inside --graph part.graphml
   blum voronoi part.stl --criterion strict --time-limit 60)");
   return [arguments] { return run_medial(*arguments); };
 }

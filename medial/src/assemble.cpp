@@ -12,6 +12,7 @@
 #include "blum/kernel/union_find.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/sided_face.hpp"
 #include "locate.hpp"
 
 namespace blum {
@@ -30,6 +31,8 @@ class Assembler {
       : geometry_(geometry),
         solid_(geometry.solid()),
         medial_(geometry.kind() == DiagramKind::kMedial),
+        one_sided_(subdivision.side != VoronoiSide::kBoth),
+        inside_wanted_(subdivision.side == VoronoiSide::kInside),
         subdivision_(subdivision),
         engines_(engines) {}
 
@@ -43,9 +46,12 @@ class Assembler {
     Rect rect;
     std::shared_ptr<const FaceDiagram> diagram;  // null: the run was stopped before
     std::vector<Placed> placed;                  // the diagram's nodes, but those on its sides
+    SidedFace sides{};                           // of one-sided diagrams
+    std::vector<Placed> crossing{};              // their crossings
+    bool told = true;                            // what lies on which side
 
     [[nodiscard]] bool decided() const {
-      return diagram && diagram->status == FaceStatus::kDecided;
+      return told && diagram && diagram->status == FaceStatus::kDecided;
     }
   };
   /// A part of a cell edge with no end of an interface's side in its interior.
@@ -74,6 +80,12 @@ class Assembler {
   void border_faces(std::uint32_t node, int face);
   void pair_faces(std::uint32_t low, std::uint32_t high, const Rect& rect);
   void solve_interface(Interface& interface, int thread);
+  void tell_sides(Interface& interface, int thread);
+  /// What the engines are told of the boundary: in a Voronoi diagram it is no border.
+  [[nodiscard]] std::span<const std::uint32_t> border(const Leaf& leaf) const {
+    return medial_ ? std::span<const std::uint32_t>(leaf.triangles)
+                   : std::span<const std::uint32_t>();
+  }
   [[nodiscard]] static Placed place(Locator& locator, const Rect& rect, const FaceNode& node,
                                     std::span<const SiteId> candidates);
   /// visit(side, part) for the parts of the four sides, in order along each.
@@ -83,6 +95,7 @@ class Assembler {
   void drop(const Interface& interface);
   void add_interface(const Interface& interface);
   void add_leaf(std::uint32_t leaf);
+  void drop_unused_vertices();
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
   [[nodiscard]] const Leaf& donor(const Interface& i) const;
   [[nodiscard]] Locator locator_of(int thread) {
@@ -91,7 +104,7 @@ class Assembler {
 
   const SiteGeometry& geometry_;
   const Solid& solid_;
-  const bool medial_;
+  const bool medial_, one_sided_, inside_wanted_;
   const Subdivision& subdivision_;
   EngineSet& engines_;
   std::vector<Interface> interface_;
@@ -128,8 +141,8 @@ void Assembler::pair_cells() {
     stack.push_back(node.child);
     stack.push_back(node.child + 1);
   }
-  // Sheets of a Voronoi diagram end on the box around all.
-  if (!medial_)
+  // Sheets of a Voronoi diagram end on the box around all, outside the solid.
+  if (!medial_ && !(one_sided_ && inside_wanted_))
     for (int f = 0; f < 6; ++f) border_faces(0, f);
 }
 
@@ -196,13 +209,40 @@ void Assembler::solve_interface(Interface& i, int thread) {
     i.diagram = high;
   } else {
     const Leaf& leaf = donor(i);
-    i.diagram = LocalDiagrams(engines_.diagrams(thread), solid_, leaf.candidates, leaf.triangles)
+    i.diagram = LocalDiagrams(engines_.diagrams(thread), solid_, leaf.candidates, border(leaf))
                     .face(i.rect);
   }
   if (!i.decided()) return;
   Locator locator = locator_of(thread);
   for (const FaceNode& node : i.diagram->node)
     i.placed.push_back(place(locator, i.rect, node, donor(i).candidates));
+  if (one_sided_) tell_sides(i, thread);
+}
+
+void Assembler::tell_sides(Interface& i, int thread) {
+  bool crossed = true;  // by the boundary, perhaps
+  for (const auto leaf : {i.low, i.high})
+    if (leaf != kNone) crossed = crossed && !subdivision_.leaf[leaf].triangles.empty();
+  if (!crossed) {
+    i.sides.inside.assign(i.diagram->arc.size(), {inside_wanted_, inside_wanted_});
+    return;
+  }
+  i.sides = sided_face(engines_.production(thread).predicates(), engines_.inside(), *i.diagram,
+                       donor(i).triangles);
+  i.told = i.sides.decided;
+  if (!i.told) return;
+  const Locator locator = locator_of(thread);
+  for (const SidedFace::Crossing& c : i.sides.crossing) {
+    FaceNode node;
+    node.boundary_edge = c.edge;
+    if (c.node != SidedFace::kNone)
+      node.governors = i.diagram->node[c.node].governors;
+    else
+      for (const auto t : solid_.edge[c.edge].triangle)
+        node.governors.push_back(geometry_.index().face(t));
+    std::ranges::sort(node.governors);
+    i.crossing.push_back(locator.convex_edge(i.rect, node));
+  }
 }
 
 Placed Assembler::place(Locator& locator, const Rect& rect, const FaceNode& node,
@@ -272,7 +312,7 @@ void Assembler::solve_ties() {
 
 void Assembler::solve_ties_on(EdgeTies& ties, int thread) {
   const Leaf& leaf = donor(*ties.asker);
-  LocalDiagrams diagrams(engines_.diagrams(thread), solid_, leaf.candidates, leaf.triangles);
+  LocalDiagrams diagrams(engines_.diagrams(thread), solid_, leaf.candidates, border(leaf));
   diagrams.adopt(ties.asker->diagram);
   const SegmentAnswer a = diagrams.segment(ties.part);
   ties.decided = a.status == FaceStatus::kDecided;
@@ -317,9 +357,21 @@ void Assembler::add_interface(const Interface& interface) {
     for (const auto leaf : {interface.low, interface.high})
       if (leaf != kNone) visit(graph_[leaf]);
   };
+  // Where the diagram is cut: crossings of the boundary's edges, in nodes and arcs.
+  std::vector<std::uint32_t> on_node(d.node.size(), kNone), on_arc(d.arc.size(), kNone);
+  for (std::size_t k = 0; k < interface.crossing.size(); ++k) {
+    const SidedFace::Crossing& c = interface.sides.crossing[k];
+    const auto v = add_vertex(interface.crossing[k], ComplexVertex::Kind::kConvexEdge);
+    (c.node != SidedFace::kNone ? on_node[c.node] : on_arc[c.arc]) = v;
+    each_leaf([&](LeafGraph& g) { g.crossing.emplace_back(c.edge, v); });
+  }
   std::vector<std::uint32_t> vertex(d.node.size());
   for (std::size_t n = 0; n < d.node.size(); ++n) {
     const FaceNode& node = d.node[n];
+    if (on_node[n] != kNone) {
+      vertex[n] = on_node[n];
+      continue;
+    }
     switch (node.kind) {
       case FaceNode::Kind::kSide:
         vertex[n] = tie[node.side].at(node.breakpoint);
@@ -336,9 +388,15 @@ void Assembler::add_interface(const Interface& interface) {
         break;
     }
   }
-  for (const FaceArc& a : d.arc) {
+  for (std::size_t k = 0; k < d.arc.size(); ++k) {
+    const FaceArc& a = d.arc[k];
     ComplexEdge e;
     e.vertex = {vertex[a.from], vertex[a.to]};
+    if (one_sided_) {
+      const auto [from, to] = interface.sides.inside[k];
+      if (from != inside_wanted_ && to != inside_wanted_) continue;
+      if (from != to) e.vertex[from == inside_wanted_ ? 1 : 0] = on_arc[k];
+    }
     e.kind = ComplexEdge::Kind::kArc;
     e.governors = {a.left, a.right};
     const auto id = static_cast<std::uint32_t>(complex_.edge.size());
@@ -351,8 +409,8 @@ void Assembler::add_leaf(std::uint32_t index) {
   const Leaf& leaf = subdivision_.leaf[index];
   LeafGraph& graph = graph_[index];
   const bool conical = leaf.theorem == LeafTheorem::kConical;
-  if (medial_ && !conical) {
-    // The convex boundary edges inside the leaf belong to its graph.
+  if ((medial_ && !conical) || one_sided_) {
+    // The boundary edges inside the leaf that the diagram ends on belong to its graph.
     std::map<std::uint32_t, std::vector<std::uint32_t>> ends;
     for (const auto& [edge, vertex] : graph.crossing) ends[edge].push_back(vertex);
     for (const auto t : leaf.triangles)
@@ -362,7 +420,7 @@ void Assembler::add_leaf(std::uint32_t index) {
         for (int k = 0; k < 3; ++k) inside &= p[k] > leaf.box.lo[k] && p[k] < leaf.box.hi[k];
         if (!inside) continue;
         for (const auto e : solid_.edges_at(v)) {
-          if (solid_.edge[e].kind != EdgeKind::kConvex) continue;
+          if (medial_ && solid_.edge[e].kind != EdgeKind::kConvex) continue;
           const auto [it, fresh] = boundary_vertex_.try_emplace(v, kNone);
           if (fresh) {
             Placed placed;
@@ -416,6 +474,12 @@ void Assembler::add_leaf(std::uint32_t index) {
       x[k] = std::ldexp(p[k] - solid_.frame.origin[k], -solid_.frame.exponent);
     return x;
   };
+  // Points of the solid, or of its outside where that is wanted.
+  const auto is_wanted = [&](const Point3& x) {
+    return engines_.inside().locate(x) == (one_sided_ && !inside_wanted_
+                                               ? InsideOracle::Where::kOutside
+                                               : InsideOracle::Where::kInside);
+  };
   const auto nearest_base = [&](std::uint32_t component, const Point3& x) {
     Point3 best = x;
     double least = std::numeric_limits<double>::infinity();
@@ -423,7 +487,7 @@ void Assembler::add_leaf(std::uint32_t index) {
       if (components.find(local.at(v)) != component || complex_.vertex[v].radius == 0) continue;
       const Point3 y = to_working(complex_.vertex[v].position);
       const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
-      if (d < least && engines_.inside().locate(y) == InsideOracle::Where::kInside) {
+      if (d < least && is_wanted(y)) {
         least = d;
         best = y;
       }
@@ -440,8 +504,7 @@ void Assembler::add_leaf(std::uint32_t index) {
       Point3 x = to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
       for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
-      if (medial_ && engines_.inside().locate(x) != InsideOracle::Where::kInside)
-        x = nearest_base(component, x);
+      if ((medial_ || one_sided_) && !is_wanted(x)) x = nearest_base(component, x);
       placed = locator_of(0).anywhere(x, leaf.candidates);
     }
     ComplexCone cone;
@@ -497,6 +560,23 @@ void Assembler::add_leaves() {
   }
 }
 
+/// Ties and events of the side that is not wanted are on no edge.
+void Assembler::drop_unused_vertices() {
+  std::vector<std::uint32_t> number(complex_.vertex.size(), kNone);
+  for (const ComplexEdge& e : complex_.edge)
+    for (const auto v : e.vertex) number[v] = 0;
+  std::uint32_t n = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == kNone) continue;
+    complex_.vertex[n] = std::move(complex_.vertex[v]);
+    number[v] = n++;
+  }
+  complex_.vertex.resize(n);
+  for (ComplexEdge& e : complex_.edge)
+    for (auto& v : e.vertex) v = number[v];
+  for (ComplexCone& c : complex_.cone) c.apex = number[c.apex];
+}
+
 Assembly Assembler::run() {
   graph_.resize(subdivision_.leaf.size());
   dropped_.assign(subdivision_.leaf.size(), false);
@@ -510,6 +590,7 @@ Assembly Assembler::run() {
       return assembly;
     }
   }
+  if (one_sided_) drop_unused_vertices();
   for (std::uint32_t l = 0; l < dropped_.size(); ++l)
     if (dropped_[l]) assembly.undecided.push_back(l);
   for (const Interface& i : interface_) {

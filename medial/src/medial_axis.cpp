@@ -12,6 +12,7 @@
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/sided_face.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
 #include "certificate.hpp"
 #include "part_angles.hpp"
@@ -71,7 +72,14 @@ long euler_of(const CellComplex& c) {
 VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOptions& options,
                            const CellComplex& complex, EngineSet& engines) {
   VoronoiCheck check;
+  check.side = options.side;
   check.regions = geometry.candidates().size();
+  const auto betti = geometry.solid().betti();
+  check.solid_euler = betti[0] - betti[1] + betti[2];
+  for (const SiteId s : geometry.candidates())
+    if (geometry.index().kind(s) != SiteKind::kFace)
+      ++(region_is_inside(engines.production().predicates(), s) ? check.regions_inside
+                                                                : check.regions_outside);
   check.euler = euler_of(complex);
   const Box3 box = root_box(geometry, options);
   LocalDiagrams diagrams(engines.diagrams(), geometry.solid(), geometry.candidates(), {});
@@ -146,6 +154,11 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     result.voronoi = check_voronoi(geometry, options, result.complex, engines);
     // The same holds for Euler's formula in the box.
     if (result.certified && result.voronoi->decided) BLUM_CHECK(result.voronoi->holds());
+    if (result.certified && options.side == VoronoiSide::kInside) {
+      auto expected = result.solid_betti;
+      expected[2] += static_cast<long>(result.voronoi->regions_inside);
+      BLUM_CHECK(result.betti == expected);
+    }
     result.certified = result.certified && result.voronoi->holds();
   }
   result.time.assemble_s = seconds_since(middle);

@@ -55,6 +55,18 @@ const char* criterion_name(Criterion criterion) {
   return "relaxed";
 }
 
+const char* side_name(VoronoiSide side) {
+  switch (side) {
+    case VoronoiSide::kInside:
+      return "inside";
+    case VoronoiSide::kOutside:
+      return "outside";
+    case VoronoiSide::kBoth:
+      break;
+  }
+  return "both";
+}
+
 /// Numbers of what was not computed are null.
 Json to_json(const VoronoiCheck& check, const MedialResult& result) {
   return {{"regions", check.regions},
@@ -62,7 +74,10 @@ Json to_json(const VoronoiCheck& check, const MedialResult& result) {
           {"euler", result.undecided.empty() ? Json(check.euler) : Json(nullptr)},
           {"criterion", criterion_name(result.criterion)},
           {"margin", result.margin},
-          {"side", "both"}};
+          {"side", side_name(check.side)},
+          {"regions_inside", check.regions_inside},
+          {"regions_outside", check.regions_outside},
+          {"solid_euler", check.solid_euler}};
 }
 
 /// Reasons that occur, in their order, with the number of cells.
@@ -187,6 +202,9 @@ std::string summary_text(const SummaryInput& input) {
   }
   if (r.voronoi) {
     const VoronoiCheck& v = *r.voronoi;
+    if (v.side != VoronoiSide::kBoth)
+      append(text, "side       %s: regions of %zu edges and vertices\n", side_name(v.side),
+             v.side == VoronoiSide::kInside ? v.regions_inside : v.regions_outside);
     append(text, "voronoi    Euler characteristic %ld, %zu regions, ", v.euler, v.regions);
     if (v.decided)
       append(text, "%ld on the box: %s\n", v.pieces_euler,

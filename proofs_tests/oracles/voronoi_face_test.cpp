@@ -7,6 +7,7 @@
 #include "arrangement/coarse_map.hpp"
 #include "arrangement/face_scenes.hpp"
 #include "blum/arrangement/brute_engine.hpp"
+#include "oracles/voronoi_scenes.hpp"
 
 namespace blum {
 namespace {
@@ -17,51 +18,6 @@ using test::Scene;
 struct Tally {
   int problems = 0, same = 0, both_bad = 0, gives_up = 0, brute_bad = 0, skipped = 0, events = 0;
 };
-
-std::vector<Scene> scenes() {
-  constexpr auto kind = DiagramKind::kVoronoi;
-  std::vector<Scene> out;
-  out.emplace_back("cuboid", test::moved(shapes::cuboid(2, 3, 1)), kind);
-  out.emplace_back("lbracket", test::moved(shapes::lbracket()), kind);
-  out.emplace_back("tetrahedron",
-                   test::moved({{{0, 0, 0}, {3, 0, 1}, {1, 3, 0}, {1, 1, 3}},
-                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}),
-                   kind);
-  out.emplace_back("cube_minus_octant", test::moved(test::cube_minus_octant()), kind);
-  out.emplace_back("lpocket", test::moved(shapes::lpocket()), kind);
-  out.emplace_back("prism", test::moved(shapes::prism(6)), kind);
-  out.emplace_back("torus", test::moved(shapes::planar_torus(8, 4, 2, 0.75)), kind);
-  out.emplace_back("void", test::moved(shapes::nested_voids(1)), kind);
-  return out;
-}
-
-/// A rectangle about a point near the boundary or in the box around the solid.
-Rect random_rect(Random& random, const Scene& scene) {
-  const double size =
-      scene.extent() * std::exp(test::uniform(random, std::log(0.02), std::log(0.6)));
-  Point3 c;
-  for (int k = 0; k < 3; ++k) {
-    const double margin = 0.3 * (scene.bounds.hi[k] - scene.bounds.lo[k]);
-    c[k] = test::uniform(random, scene.bounds.lo[k] - margin, scene.bounds.hi[k] + margin);
-  }
-  if (random() % 3 != 0) {  // about a point of an edge, or beyond it
-    const auto& e = scene.solid->edge[random() % scene.solid->edge.size()];
-    const Point3 &a = scene.solid->point[e.vertex[0]], &b = scene.solid->point[e.vertex[1]];
-    const double s = test::uniform(random, -0.1, 1.1);
-    for (int k = 0; k < 3; ++k)
-      c[k] = a[k] + s * (b[k] - a[k]) + 0.4 * size * test::uniform(random, -1, 1);
-  }
-  Rect r;
-  r.axis = static_cast<int>(random() % 3);
-  r.level = c[r.axis];
-  const int u = u_axis(r.axis), v = v_axis(r.axis);
-  const double hu = size * test::uniform(random, 0.3, 1), hv = size * test::uniform(random, 0.3, 1);
-  r.u0 = c[u] - hu;
-  r.u1 = c[u] + hu;
-  r.v0 = c[v] - hv;
-  r.v1 = c[v] + hv;
-  return r;
-}
 
 void compare(const Scene& scene, const Rect& r, bool wide, std::size_t most, Tally& tally) {
   const auto near = scene.near(r);
@@ -99,10 +55,11 @@ void print(const Tally& t) {
 Tally run(std::uint64_t seed, int rounds, std::size_t most, bool special) {
   Random random(seed);
   Tally tally;
-  const auto all = scenes();
+  const auto all = test::voronoi_scenes();
   for (int round = 0; round < rounds; ++round)
     for (const Scene& scene : all)
-      compare(scene, special ? test::special_rect(random, scene) : random_rect(random, scene),
+      compare(scene,
+              special ? test::special_rect(random, scene) : test::voronoi_rect(random, scene),
               random() % 2 == 0, most, tally);
   print(tally);
   return tally;

@@ -7,6 +7,7 @@
 #include "blum/arrangement/common_point.hpp"
 #include "blum/subdivision/voronoi_cell_test.hpp"
 #include "meeting.hpp"
+#include "sided_cell.hpp"
 
 namespace blum {
 namespace {
@@ -75,10 +76,10 @@ Box3 root_box(const SiteGeometry& geometry, const SubdivisionOptions& options) {
 }
 
 CellOutcome CellWorker::work(Cell& cell) {
-  if (medial_) cell.triangles = triangles_meeting(geometry_, cell.triangles, cell.box);
+  if (medial_ || one_sided_)
+    cell.triangles = triangles_meeting(geometry_, cell.triangles, cell.box);
   Leaf leaf;
-  if (medial_ && cell.triangles.empty() &&
-      work_.engines.inside().locate(cell.box.lo) == InsideOracle::Where::kOutside) {
+  if (is_beyond(cell)) {
     leaf.theorem = LeafTheorem::kOutside;
     return leaf;
   }
@@ -89,7 +90,7 @@ CellOutcome CellWorker::work(Cell& cell) {
   const bool small =
       cell.candidates.size() <= kMaxCandidates || cell.stuck % kPatience == kPatience - 1;
   if (small) {
-    LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, cell.triangles);
+    LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
     for (const auto& inherited : cell.face)
       if (inherited) diagrams.adopt(inherited);
     const CellVerdict verdict = test(cell, diagrams, leaf);
@@ -103,6 +104,13 @@ CellOutcome CellWorker::work(Cell& cell) {
     }
   }
   return divide(cell, small);
+}
+
+/// Is the cell known to lie on the side of the boundary that is not wanted?
+bool CellWorker::is_beyond(const Cell& cell) const {
+  if (!(medial_ || one_sided_) || !cell.triangles.empty()) return false;
+  const bool inside = work_.engines.inside().locate(cell.box.lo) == InsideOracle::Where::kInside;
+  return inside == (one_sided_ && options_.side == VoronoiSide::kOutside);
 }
 
 /// Fills in the faces of the cell, and what the answer says of the leaf.
@@ -127,11 +135,10 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
       return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
                                  cell.candidates, cell.triangles);
     };
-  CellAnswer a =
-      medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face, oracles,
-                          resolve)
-              : test_voronoi_cell(geometry_, cell.box, cell.candidates, cell.face,
-                                  options_.criterion, resolve);
+  CellAnswer a = medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles,
+                                     cell.face, oracles, resolve)
+                         : test_voronoi_cell(production_.predicates(), cell.box, cell.candidates,
+                                             cell.face, options_.criterion, resolve);
   stats_.planes_tried += static_cast<std::size_t>(a.planes_tried);
   leaf.theorem = !medial_    ? LeafTheorem::kVoronoi
                  : a.conical ? LeafTheorem::kConical
@@ -141,7 +148,13 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   leaf.cut = std::move(a.cut);
   // A cluster that is one degenerate junction cannot be refined away.
   if (a.verdict == CellVerdict::kCluster && one_junction(cell, cell.face))
-    return verdict(CellVerdict::kAccepted);
+    a.verdict = CellVerdict::kAccepted;
+  if (one_sided_ && a.verdict == CellVerdict::kAccepted && !cell.triangles.empty()) {
+    const SidedAnswer sided = test_sided_cell(production_.predicates(), work_.engines.inside(),
+                                              cell.box, cell.triangles, cell.face, options_.side);
+    if (!sided.accepted) return verdict(CellVerdict::kSides);
+    leaf.has_axis = sided.has_diagram;
+  }
   return verdict(a.verdict);
 }
 
@@ -177,7 +190,7 @@ std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
     if (validate) {
       Rect r = box_face(cell.box, 2 * axis);
       r.level = m;
-      LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, cell.triangles);
+      LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
       section = diagrams.face(r);
       stats_.faces_computed += diagrams.faces_computed();
       if (section->status != FaceStatus::kDecided) {
@@ -212,7 +225,7 @@ bool CellWorker::one_junction(const Cell& cell, const Faces& face) {
   for (const auto& d : face)
     for (const FaceRegion& r : d->region)
       labels.insert(labels.end(), r.labels.begin(), r.labels.end());
-  for (const auto t : cell.triangles) labels.push_back(geometry_.index().face(t));
+  for (const auto t : border(cell)) labels.push_back(geometry_.index().face(t));
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   const Box3& box = cell.box;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -58,6 +59,7 @@ class CellWorker {
         solid_(work.geometry.solid()),
         options_(work.options),
         medial_(work.geometry.kind() == DiagramKind::kMedial),
+        one_sided_(!medial_ && work.options.side != VoronoiSide::kBoth),
         production_(work.engines.production(thread)),
         diagrams_(work.engines.diagrams(thread)) {}
 
@@ -69,6 +71,12 @@ class CellWorker {
  private:
   using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 
+  /// What the engines are told of the boundary: in a Voronoi diagram it is no border.
+  [[nodiscard]] std::span<const std::uint32_t> border(const Cell& cell) const {
+    return medial_ ? std::span<const std::uint32_t>(cell.triangles)
+                   : std::span<const std::uint32_t>();
+  }
+  [[nodiscard]] bool is_beyond(const Cell& cell) const;
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
   [[nodiscard]] bool fine_enough(const Box3& box) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
@@ -80,7 +88,7 @@ class CellWorker {
   const SiteGeometry& geometry_;
   const Solid& solid_;
   const SubdivisionOptions& options_;
-  const bool medial_;
+  const bool medial_, one_sided_;
   ProductionEngine& production_;
   DiagramEngine& diagrams_;
   SubdivisionStats stats_;

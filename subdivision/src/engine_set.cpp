@@ -51,7 +51,9 @@ EngineSet::EngineSet(const SiteGeometry& geometry, const SubdivisionOptions& opt
                      RunWatch& watch)
     : watch_(watch), inside_(geometry.solid()) {
   for (int t = 0; t < options.threads; ++t) {
-    production_.emplace_back(geometry, inside_, options.seed, options.resolve);
+    // Clusters do not tell which way the boundary cuts them.
+    const bool parted = options.resolve || options.side != VoronoiSide::kBoth;
+    production_.emplace_back(geometry, inside_, options.seed, parted);
     production_.back().stop_on(&watch_.flag());
     if (options.engine == Engine::kBrute)
       chosen_.push_back(std::make_unique<BruteEngine>(geometry, watch_.flag()));

@@ -1,6 +1,7 @@
 #include "meeting.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "blum/kernel/ball.hpp"
 
@@ -40,6 +41,40 @@ std::vector<std::uint32_t> triangles_meeting(const SiteGeometry& geometry,
     kept.push_back(t);
   }
   return kept;
+}
+
+std::optional<bool> edge_crosses(Predicates& predicates, std::uint32_t edge, const Rect& rect) {
+  const Solid& solid = predicates.geometry().solid();
+  const double a = solid.point[solid.edge[edge].vertex[0]][rect.axis],
+               b = solid.point[solid.edge[edge].vertex[1]][rect.axis];
+  if (a == rect.level || b == rect.level) return std::nullopt;
+  if ((a < rect.level) == (b < rect.level)) return false;
+  const auto beyond = [&](int along, double value) {
+    return predicates.compare_edge_crossing(edge, rect.axis, rect.level, along, value);
+  };
+  const int u = u_axis(rect.axis), v = v_axis(rect.axis);
+  const std::array above{beyond(u, rect.u0), -beyond(u, rect.u1), beyond(v, rect.v0),
+                         -beyond(v, rect.v1)};
+  if (std::ranges::find(above, -1) != above.end()) return false;
+  if (std::ranges::find(above, 0) != above.end()) return std::nullopt;
+  return true;
+}
+
+std::optional<bool> is_section(Predicates& predicates, std::uint32_t triangle, const Box3& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int corner = 0; corner < 4; ++corner) {
+      const int ua = u_axis(axis), va = v_axis(axis);
+      const double u = (corner & 1) != 0 ? box.hi[ua] : box.lo[ua],
+                   v = (corner & 2) != 0 ? box.hi[va] : box.lo[va];
+      const int low = predicates.plane_side(point_on(axis, box.lo[axis], u, v), triangle),
+                high = predicates.plane_side(point_on(axis, box.hi[axis], u, v), triangle);
+      if (low == 0 || high == 0) return std::nullopt;
+      if (low == high) continue;
+      const auto pierced = predicates.pierces(triangle, axis, u, v);
+      if (!pierced) return std::nullopt;
+      return *pierced != 0;
+    }
+  return false;
 }
 
 }  // namespace blum

@@ -78,8 +78,9 @@ void Subdivider::add_root() {
   root_volume_ = volume(cell.box);
   const auto all = work_.geometry.candidates();
   cell.candidates.assign(all.begin(), all.end());
-  // In a Voronoi diagram the boundary is no border.
-  if (work_.geometry.kind() == DiagramKind::kMedial) cell.triangles.resize(solid.triangle.size());
+  // In a Voronoi diagram of both sides the boundary is no border.
+  if (work_.geometry.kind() == DiagramKind::kMedial || work_.options.side != VoronoiSide::kBoth)
+    cell.triangles.resize(solid.triangle.size());
   for (std::uint32_t t = 0; t < cell.triangles.size(); ++t) cell.triangles[t] = t;
   CellNode root;
   root.box = cell.box;
@@ -170,6 +171,7 @@ void Subdivider::work(int thread) {
 
 Subdivision Subdivider::numbered() {
   Subdivision r;
+  r.side = work_.options.side;
   r.stats = result_.stats;
   r.node.reserve(result_.node.size());
   r.leaf.reserve(result_.leaf.size());

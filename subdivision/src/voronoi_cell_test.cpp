@@ -7,68 +7,20 @@
 
 #include "blum/arrangement/flow.hpp"
 #include "blum/kernel/check.hpp"
-#include "box_edges.hpp"
 #include "graph_parts.hpp"
+#include "voronoi_intervals.hpp"
+#include "voronoi_joins.hpp"
+#include "voronoi_place.hpp"
 
 namespace blum {
 namespace {
 
-/// How a closed site lies to a closed box. Planes of the box hold no vertex of the solid.
-enum class Place : std::uint8_t { kApart, kMeets, kWithin };
-
-Place place_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
-  const Solid& solid = geometry.solid();
-  int n = 0;
-  const auto corner = geometry.corners(site, n);
-  bool within = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    bool below = true, above = true;
-    for (int k = 0; k < n; ++k) {
-      const double x = solid.point[corner[k]][axis];
-      below &= x < box.lo[axis];
-      above &= x > box.hi[axis];
-      within &= x > box.lo[axis] && x < box.hi[axis];
-    }
-    if (below || above) return Place::kApart;
-  }
-  if (within) return Place::kWithin;
-  Point3 c;
-  for (int k = 0; k < 3; ++k) c[k] = 0.5 * (box.lo[k] + box.hi[k]);
-  const auto reach = [&](const BallVector& w) {
-    double r = 0;
-    for (int k = 0; k < 3; ++k)
-      r += w[k].magnitude() * std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
-    return r * (1 + 0x1p-40);
-  };
-  // Conditions of the site's own extent; those of incidence say nothing about where it lies.
-  const auto domain = geometry.domain(site);
-  for (std::uint32_t k = 0; k < geometry.own_conditions(site); ++k)
-    if (dot(domain[k].w, difference(c, solid.point[domain[k].base])).low() > reach(domain[k].w))
-      return Place::kApart;
-  const BallVector d = difference(c, geometry.base(site));
-  const BallVector& u = geometry.unit(site);
-  if (geometry.index().kind(site) == SiteKind::kFace) {
-    const Ball h = dot(d, u);
-    if (h.low() > reach(u) || h.high() < -reach(u)) return Place::kApart;
-  } else if (geometry.index().kind(site) == SiteKind::kEdge) {
-    // Across the line, in the directions of the axes.
-    for (int axis = 0; axis < 3; ++axis) {
-      BallVector e{};
-      e[axis] = Ball(1.0);
-      const BallVector w = cross(u, e);
-      const Ball h = dot(d, w);
-      if (h.low() > reach(w) || h.high() < -reach(w)) return Place::kApart;
-    }
-  }
-  return Place::kMeets;
-}
-
 class VoronoiCell {
  public:
-  VoronoiCell(const SiteGeometry& geometry, const Box3& box, std::span<const SiteId> candidates,
+  VoronoiCell(Predicates& predicates, const Box3& box, std::span<const SiteId> candidates,
               const VoronoiSurface::Faces& face)
-      : geometry_(geometry), face_(face), surface_(face) {
-    for (const SiteId s : candidates) place_[s.value] = place_of(geometry, s, box);
+      : geometry_(predicates.geometry()), face_(face), surface_(face) {
+    for (const SiteId s : candidates) place_[s.value] = place_of(predicates, s, box);
     for (std::uint32_t r = 0; r < surface_.regions(); ++r) {
       auto& pieces = pieces_of_[surface_.site(r).value];
       const auto p = surface_.piece(r);
@@ -80,25 +32,24 @@ class VoronoiCell {
   [[nodiscard]] CellAnswer test(Criterion criterion, bool resolve);
 
  private:
-  [[nodiscard]] Place place(SiteId s) const { return place_.at(s.value); }
+  [[nodiscard]] Place place(SiteId s) const { return place_.at(s.value).place; }
   [[nodiscard]] bool none_hidden() const;
   [[nodiscard]] bool one_piece_each() const;
   [[nodiscard]] bool pieces_are_separate();
-  [[nodiscard]] bool joined_by_flow();
   [[nodiscard]] CellVerdict strict();
   [[nodiscard]] bool at_one_vertex() const;
 
   const SiteGeometry& geometry_;
   const VoronoiSurface::Faces& face_;
   VoronoiSurface surface_;
-  std::unordered_map<std::uint32_t, Place> place_;                 // of the candidates
+  std::unordered_map<std::uint32_t, SitePlace> place_;             // of the candidates
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_of_;  // of the sites that show
   std::uint32_t components_ = 0;
 };
 
 bool VoronoiCell::none_hidden() const {
   return std::ranges::all_of(place_, [&](const auto& p) {
-    return p.second != Place::kWithin || pieces_of_.contains(p.first);
+    return p.second.place != Place::kWithin || pieces_of_.contains(p.first);
   });
 }
 
@@ -108,61 +59,46 @@ bool VoronoiCell::one_piece_each() const {
 
 /// Condition (2) of Theorem V.
 bool VoronoiCell::pieces_are_separate() {
-  bool one_each = true;
+  // Pieces that are not yet known to belong to different components of their region in the cell.
+  std::unordered_map<std::uint32_t, bool> known;
   for (const auto& [site, pieces] : pieces_of_) {
     if (pieces.size() == 1) continue;
-    if (place(SiteId{site}) != Place::kApart) return false;
-    one_each = false;
+    const SitePlace& place = place_.at(site);
+    if (place.place == Place::kWithin || (place.place == Place::kMeets && !place.paths))
+      return false;
+    for (const auto p : pieces) known[p] = false;
   }
-  if (one_each) return true;
-  // Pieces with a point where the flow certainly leaves the cell belong to different components of
-  // the region within.
-  std::unordered_map<std::uint32_t, bool> leaves;
+  if (known.empty()) return true;
+  // Where the flow certainly leaves: near a node or at an end of an interval.
+  const auto see = [&](int f, std::uint32_t region, const Rect& near) {
+    const auto it = known.find(surface_.piece(surface_.region(f, region)));
+    if (it == known.end() || it->second) return;
+    const SiteId site = face_[f]->region[region].labels.front();
+    it->second = never_leaves(geometry_, site, near, f % 2 == 0 ? 1 : -1);
+  };
   for (int f = 0; f < 6; ++f) {
     const FaceDiagram& d = *face_[f];
-    for (std::uint32_t r = 0; r < d.region.size(); ++r) {
-      const SiteId site = d.region[r].labels.front();
-      if (pieces_of_.at(site.value).size() == 1) continue;
-      bool& known = leaves[surface_.piece(surface_.region(f, r))];
-      known = known || never_leaves(geometry_, site, d.rect, f % 2 == 0 ? 1 : -1);
-    }
-  }
-  return std::ranges::all_of(leaves, [](const auto& p) { return p.second; });
-}
-
-/// Condition (3) of Theorem V: paths that no flow crosses join the components of the graph.
-bool VoronoiCell::joined_by_flow() {
-  const auto regions = surface_.regions(), nodes = surface_.nodes();
-  std::vector<bool> closed(regions, false);
-  UnionFind joined;
-  joined.resize(nodes + regions);
-  for (int f = 0; f < 6; ++f) {
-    const FaceDiagram& d = *face_[f];
-    for (std::uint32_t i = 0; i < d.region.size(); ++i) {
-      const SiteId site = d.region[i].labels.front();
-      const auto r = surface_.region(f, i);
-      // A site within the cell draws all of its region in: that is contractible anyway.
-      closed[r] = place(site) == Place::kWithin ||
-                  (place(site) == Place::kApart &&
-                   never_leaves(geometry_, site, d.rect, f % 2 == 0 ? -1 : 1));
-    }
     for (const FaceArc& a : d.arc)
-      for (const auto i : a.region)
-        if (const auto r = surface_.region(f, i); closed[r])
-          joined.unite(surface_.node(f, a.from), nodes + r);
+      for (const auto n : {a.from, a.to}) {
+        const FaceNode& m = d.node[n];
+        for (const auto region : a.region)
+          see(f, region, {d.rect.axis, d.rect.level, m.u0, m.u1, m.v0, m.v1});
+      }
+    for (int s = 0; s < 4; ++s)
+      for (const EdgeInterval& i : intervals(*d.side[s])) {
+        const auto region = d.side_region[s][i.index];
+        for (const Point3& x : {i.low, i.high}) {
+          const double u = x[u_axis(d.rect.axis)], v = x[v_axis(d.rect.axis)];
+          see(f, region, {d.rect.axis, d.rect.level, u, u, v, v});
+        }
+        // The triangle's trace crosses the edge: the piece is that of its feet in the cell.
+        const SiteId site = d.region[region].labels.front();
+        if (const auto it = known.find(surface_.piece(surface_.region(f, region)));
+            it != known.end() && crosses_plane(geometry_, site, i))
+          it->second = true;
+      }
   }
-  for (const EdgePair& p : edge_pairs()) {
-    const auto &a = face_[p.face[0]]->side_region[p.side[0]],
-               &b = face_[p.face[1]]->side_region[p.side[1]];
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      const auto ra = surface_.region(p.face[0], a[k]), rb = surface_.region(p.face[1], b[k]);
-      if (closed[ra] && closed[rb]) joined.unite(nodes + ra, nodes + rb);
-    }
-  }
-  for (const auto& a : surface_.arcs()) joined.unite(a[0], a[1]);
-  const auto first = joined.find(surface_.arcs().front()[0]);
-  return std::ranges::all_of(surface_.arcs(),
-                             [&](const auto& a) { return joined.find(a[0]) == first; });
+  return std::ranges::all_of(known, [](const auto& p) { return p.second; });
 }
 
 CellVerdict VoronoiCell::strict() {
@@ -170,7 +106,7 @@ CellVerdict VoronoiCell::strict() {
   // incident on the point; and all governors meet the cell.
   std::vector<SiteId> meet, points;
   for (const auto& [site, place] : place_) {
-    if (place == Place::kApart) continue;
+    if (place.place == Place::kApart) continue;
     meet.push_back({site});
     if (geometry_.index().kind({site}) == SiteKind::kVertex) points.push_back({site});
   }
@@ -192,7 +128,7 @@ CellVerdict VoronoiCell::strict() {
 
 bool VoronoiCell::at_one_vertex() const {
   for (const auto& [site, place] : place_)
-    if (place != Place::kApart) {
+    if (place.place != Place::kApart) {
       int n = 0;
       const auto corner = geometry_.corners({site}, n);
       return std::any_of(corner.begin(), corner.begin() + n, [&](auto v) {
@@ -221,7 +157,9 @@ CellAnswer VoronoiCell::test(Criterion criterion, bool resolve) {
       break;
     case Criterion::kRelaxed:
       if (components_ > 1) {
-        if (!joined_by_flow()) return verdict(CellVerdict::kGraph);
+        if (!joined_by_flow(geometry_, surface_, face_,
+                            [this](SiteId s) { return place_.at(s.value); }))
+          return verdict(CellVerdict::kGraph);
         r.curved_cut = true;
       }
       if (!pieces_are_separate()) return verdict(CellVerdict::kLabel);
@@ -238,11 +176,11 @@ CellAnswer VoronoiCell::test(Criterion criterion, bool resolve) {
 
 }  // namespace
 
-CellAnswer test_voronoi_cell(const SiteGeometry& geometry, const Box3& box,
+CellAnswer test_voronoi_cell(Predicates& predicates, const Box3& box,
                              std::span<const SiteId> candidates, const VoronoiSurface::Faces& face,
                              Criterion criterion, bool resolve) {
-  BLUM_REQUIRE(geometry.kind() == DiagramKind::kVoronoi);
-  return VoronoiCell(geometry, box, candidates, face).test(criterion, resolve);
+  BLUM_REQUIRE(predicates.geometry().kind() == DiagramKind::kVoronoi);
+  return VoronoiCell(predicates, box, candidates, face).test(criterion, resolve);
 }
 
 }  // namespace blum

@@ -30,15 +30,33 @@ struct PhaseTimes {
   double subdivide_s = 0, assemble_s = 0, angles_s = 0;
 };
 
-/// The check of a Voronoi diagram VD in its box B (docs/proofs.md, "Euler's formula in the box"):
-/// euler = 1 + regions - pieces_euler. The three are computed independently.
+/// The check of a Voronoi diagram VD in its box B (docs/proofs.md, "Euler's formula in the box" and
+/// "One side"), with χ the Euler characteristic of the solid:
+///   both sides:  euler = 1 + regions - pieces_euler
+///   inside:      euler = χ + regions_inside
+///   outside:     euler = 1 + χ + regions_outside - pieces_euler
+/// The numbers are computed independently. Inside, the Betti numbers are also those of the solid,
+/// with regions_inside added to the last.
 struct VoronoiCheck {
+  VoronoiSide side = VoronoiSide::kBoth;
+  long solid_euler = 0;
+  /// Regions of edges and vertices, each wholly on one side; those of triangles are on both.
+  std::size_t regions_inside = 0, regions_outside = 0;
   std::size_t regions = 0;  ///< sites: each has one region in the box
   long pieces_euler = 0;  ///< sum of the Euler characteristics of the regions' pieces on its sides
   long euler = 0;         ///< of the complex
   bool decided = false;   ///< the diagrams on the sides of the box are
-  [[nodiscard]] bool holds() const {
-    return decided && euler == 1 + static_cast<long>(regions) - pieces_euler;
+  [[nodiscard]] bool holds() const { return decided && euler == expected(); }
+  [[nodiscard]] long expected() const {
+    switch (side) {
+      case VoronoiSide::kInside:
+        return solid_euler + static_cast<long>(regions_inside);
+      case VoronoiSide::kOutside:
+        return 1 + solid_euler + static_cast<long>(regions_outside) - pieces_euler;
+      case VoronoiSide::kBoth:
+        break;
+    }
+    return 1 + static_cast<long>(regions) - pieces_euler;
   }
 };
 
@@ -75,18 +93,19 @@ using CertificateSink = std::function<bool(const std::string&)>;
 /// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
 /// what has been decided. If that does not suffice, or memory is what ran out, the complex is empty
 /// and all cells that meet the axis are listed. The certificate, where asked for, is written
-/// after the limits have been looked at; a run with one uses no cutting planes (Theorem E) and prefers
-/// reasons that are easy to check, so that it may take longer and give more leaves.
-/// Where the time ends while angles are bounded, these stay wider.
+/// after the limits have been looked at; a run with one uses no cutting planes (Theorem E) and
+/// prefers reasons that are easy to check, so that it may take longer and give more leaves. Where
+/// the time ends while angles are bounded, these stay wider.
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options,
                                                        const AngleOptions& angles = {},
                                                        const CertificateSink& certificate = {});
 
 /// The same for the Voronoi diagram of all sites that are not degenerate, in a box around the solid
-/// (root_box), inside and outside. Certified only if VoronoiCheck holds too. `on_axis` and
-/// `hausdorff_bound` are about the Voronoi diagram in the box. Requires options.margin > 0
-/// and an engine that knows them, production or brute (kBadArgument).
+/// (root_box), or the part of it in the closed solid or in the closure of the rest (options.side;
+/// the two have the edges of the triangulation in common). Certified only if VoronoiCheck holds
+/// too. `on_axis` and `hausdorff_bound` are about the Voronoi diagram in the box. Requires
+/// options.margin > 0 and an engine that knows them, production or brute (kBadArgument).
 [[nodiscard]] Result<MedialResult> compute_voronoi_diagram(const Solid& solid,
                                                            const MedialOptions& options);
 

@@ -24,6 +24,7 @@ enum class CellVerdict : std::uint8_t {
   kFace,         ///< a face diagram could not be decided
   kHidden,       ///< Voronoi: a site within the cell whose region does not show on its surface
   kGovernor,     ///< Voronoi, strict: the boundary cell criterion fails
+  kSides,        ///< Voronoi, one side: conditions (4) and (5) of docs/proofs.md, "One side"
   kCount,        ///< how many there are
 };
 

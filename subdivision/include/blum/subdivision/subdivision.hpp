@@ -28,6 +28,10 @@ enum class Criterion : std::uint8_t {
   kRelaxed,  ///< the same, and what the flow towards the boundary proves beyond
 };
 
+/// The part of the box in which a Voronoi diagram is wanted: the closed solid, the closure of the
+/// rest, or all of it.
+enum class VoronoiSide : std::uint8_t { kBoth, kInside, kOutside };
+
 struct Progress {
   std::size_t leaves = 0;      ///< accepted so far
   double volume_fraction = 0;  ///< of the box, accepted so far
@@ -36,10 +40,11 @@ struct Progress {
 struct SubdivisionOptions {
   std::uint64_t seed = 1;
   Engine engine = Engine::kProduction;
-  bool cuts = true;      ///< try planes that miss the axis before a cell is subdivided (Theorem E)
+  bool cuts = true;  ///< try planes that miss the axis before a cell is subdivided (Theorem E)
   Criterion criterion = Criterion::kRelaxed;  ///< Voronoi only
-  double margin = 0.1;   ///< Voronoi: how much larger than the solid's the box is, as a fraction
-  bool resolve = false;  ///< refine until no avoidable cluster node is left
+  double margin = 0.1;  ///< Voronoi: how much larger than the solid's the box is, as a fraction
+  VoronoiSide side = VoronoiSide::kBoth;  ///< Voronoi
+  bool resolve = false;                   ///< refine until no avoidable cluster node is left
   /// Leaves that meet the axis are refined until their diameter is at most this (model units);
   /// it bounds the Hausdorff distance between the complex and the axis. 0: no bound asked for.
   double max_leaf_diameter = 0;
@@ -68,7 +73,7 @@ enum class UndecidedReason : std::uint8_t {
 
 /// Why a leaf was accepted.
 enum class LeafTheorem : std::uint8_t {
-  kOutside,   ///< the cell does not meet the solid
+  kOutside,   ///< the cell does not meet the solid; Voronoi: the side that is wanted
   kConical,   ///< Theorem B about `boundary_vertex`
   kBoundary,  ///< Theorem C; Theorem A where the cell lies in the solid
   kVoronoi,   ///< Theorem V, by the criterion that was asked for
@@ -106,12 +111,13 @@ struct SubdivisionStats {
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
   std::size_t planes_tried = 0, leaves_cut = 0;  ///< see Leaf::cut
   int max_depth = 0;
-  std::array<std::size_t, 10> rejected{};  ///< tested cells by CellVerdict
+  std::array<std::size_t, 11> rejected{};  ///< tested cells by CellVerdict
 };
 
 /// Nodes and leaves are numbered depth first, the low child before the high one.
 struct Subdivision {
-  std::vector<CellNode> node;  ///< node[0] is the root
+  VoronoiSide side = VoronoiSide::kBoth;  ///< that was asked for
+  std::vector<CellNode> node;             ///< node[0] is the root
   std::vector<Leaf> leaf;
   SubdivisionStats stats;
 };
