@@ -12,6 +12,9 @@ Result<FieldDriver> field_driver(FieldBackend backend) {
 }
 
 BackendChoice choose_backend() {
+  if (!detail::egl_may_have_hardware()) {
+    return {FieldBackend::kCpu, "no graphics hardware for EGL"};
+  }
   const Result<FieldDriver> driver = field_driver(FieldBackend::kEgl);
   if (!driver) return {FieldBackend::kCpu, driver.error().message};
   if (!driver.value().is_hardware) {

@@ -64,6 +64,8 @@ class GlContext {
 };
 
 [[nodiscard]] Result<std::unique_ptr<GlContext>> make_egl_context();
+/// False if EGL says that all of its devices are software: quicker than to make a context and see.
+[[nodiscard]] bool egl_may_have_hardware();
 [[nodiscard]] Result<std::unique_ptr<GlContext>> make_osmesa_context();
 
 }  // namespace blum::detail

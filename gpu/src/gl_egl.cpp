@@ -1,7 +1,6 @@
 // Contexts from libEGL: a device's, or the surfaceless platform's.
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -60,8 +59,8 @@ Egl load_egl() {
     return egl;
   }
   const auto extension = [&egl](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        egl.get_proc_address(name));
+    function =
+        reinterpret_cast<std::remove_reference_t<decltype(function)>>(egl.get_proc_address(name));
   };
   extension(egl.query_devices, "eglQueryDevicesEXT");
   extension(egl.query_device_string, "eglQueryDeviceStringEXT");
@@ -120,24 +119,39 @@ class EglContext : public GlContext {
   Handle context_ = nullptr;
 };
 
-/// Initialized once and for good: terminating a display would end all of its contexts.
-std::vector<Display> displays() {
+struct Devices {
+  bool are_known = false;
   std::vector<Device> hardware, software;
-  if (egl().query_devices != nullptr) {
-    std::array<Device, 32> devices{};
-    Int count = 0;
-    if (egl().query_devices(static_cast<Int>(devices.size()), devices.data(), &count) == 0) {
-      count = 0;
-    }
-    for (Int k = 0; k < count; ++k) {
-      const char* extensions = egl().query_device_string == nullptr
-                                   ? nullptr
-                                   : egl().query_device_string(devices[k], kExtensions);
-      const bool is_software =
-          extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
-      (is_software ? software : hardware).push_back(devices[k]);
-    }
+};
+
+Devices find_devices() {
+  Devices found;
+  if (!egl().problem.empty() || egl().query_devices == nullptr ||
+      egl().query_device_string == nullptr) {
+    return found;
   }
+  std::array<Device, 32> devices{};
+  Int count = 0;
+  if (egl().query_devices(static_cast<Int>(devices.size()), devices.data(), &count) == 0) {
+    return found;
+  }
+  found.are_known = true;
+  for (Int k = 0; k < count; ++k) {
+    const char* extensions = egl().query_device_string(devices[k], kExtensions);
+    const bool is_software =
+        extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
+    (is_software ? found.software : found.hardware).push_back(devices[k]);
+  }
+  return found;
+}
+
+const Devices& devices() {
+  static const Devices found = find_devices();
+  return found;
+}
+
+/// Initialized once and for good: terminating a display would end all of its contexts.
+std::vector<Display> open_displays() {
   std::vector<Display> out;
   const auto add = [&out](unsigned platform, void* device) {
     Display display = egl().get_platform_display(platform, device, nullptr);
@@ -145,20 +159,24 @@ std::vector<Display> displays() {
       out.push_back(display);
     }
   };
-  for (Device device : hardware) add(kPlatformDevice, device);
-  for (Device device : software) add(kPlatformDevice, device);
+  for (Device device : devices().hardware) add(kPlatformDevice, device);
+  for (Device device : devices().software) add(kPlatformDevice, device);
   add(kPlatformSurfaceless, nullptr);
   return out;
 }
 
 }  // namespace
 
+bool egl_may_have_hardware() {
+  return egl().problem.empty() && (!devices().are_known || !devices().hardware.empty());
+}
+
 Result<std::unique_ptr<GlContext>> make_egl_context() {
   const auto problem = [](const std::string& what) {
     return Error{ErrorCode::kBadArgument, "no OpenGL through EGL: " + what, {}, {}};
   };
   if (!egl().problem.empty()) return problem(egl().problem);
-  static const std::vector<Display> all = displays();
+  static const std::vector<Display> all = open_displays();
   for (Display display : all) {
     auto context = std::make_unique<EglContext>(display);
     if (context->open()) return std::unique_ptr<GlContext>(std::move(context));

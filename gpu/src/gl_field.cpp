@@ -86,8 +86,8 @@ double regret_of(const ScanSites& sites, const VoxelGrid& grid, const SliceStyle
   if (style.method == FieldMethod::kFragments || style.method == FieldMethod::kGather) {
     return evaluation;
   }
-  const double moved = (style.dilation + std::ldexp(1, -subpixel_bits)) *
-                       (grid.spacing.x + grid.spacing.y);
+  const double moved =
+      (style.dilation + std::ldexp(1, -subpixel_bits)) * (grid.spacing.x + grid.spacing.y);
   const double sharp = kSharpCorner * sites.reach;
   if (style.method == FieldMethod::kLinearFactorization) return evaluation + sharp + 2 * moved;
   return evaluation + sharp + 8 * moved + style.mesh_error;
@@ -111,8 +111,8 @@ std::optional<Error> gl_field(const SiteSet& set, const FieldOptions& options,
       make_scan_sites(set, grid.sample_box(), options.culling.domains, kFloatUnit);
   const GlFrame frame = gl_frame(sites, set, grid);
   const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  GlJob job{set, sites, options, grid, {options.method, options.mesh_error * finest, 0}, 0,
-            field.statistics};
+  GlJob job{set, sites,           options, grid, {options.method, options.mesh_error * finest, 0},
+            0,   field.statistics};
   Refinement refinement(set, options, field);
   const UseProposals use = [&](const std::vector<std::uint32_t>& ids) { refinement.take(ids); };
   bool is_done = false;

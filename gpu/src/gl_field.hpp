@@ -38,8 +38,8 @@ using UseProposals = std::function<void(const std::vector<std::uint32_t>&)>;
 [[nodiscard]] bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use);
 [[nodiscard]] bool draw_sweep(GlRaster& raster, GlJob& job, const UseProposals& use);
 [[nodiscard]] bool draw_ranges(GlRaster& raster, GlJob& job, const UseProposals& use);
-[[nodiscard]] bool gather(GlContext& context, const GlFrame& frame, GlJob& job, std::string& problem,
-                          const UseProposals& use);
+[[nodiscard]] bool gather(GlContext& context, const GlFrame& frame, GlJob& job,
+                          std::string& problem, const UseProposals& use);
 
 /// Boxes of at most `side` samples along every axis and what may own a sample of them, by rank;
 /// without culling.blocks: all sites. In increasing order of z.

@@ -58,9 +58,9 @@ class OsmesaContext : public GlContext {
 
   bool open() {
     for (const auto& [major, minor] : {std::pair{4, 5}, {4, 3}, {3, 3}}) {
-      const std::array<int, 11> wanted = {kFormat,      GL_RGBA,       kDepthBits, 0,
-                                          kProfile,     kCoreProfile,  kMajorVersion, major,
-                                          kMinorVersion, minor,        0};
+      const std::array<int, 11> wanted = {
+          kFormat,       GL_RGBA, kDepthBits,    0,     kProfile, kCoreProfile,
+          kMajorVersion, major,   kMinorVersion, minor, 0};
       context_ = osmesa().create(wanted.data(), nullptr);
       if (context_ == nullptr) continue;
       {

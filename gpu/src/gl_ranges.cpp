@@ -66,9 +66,8 @@ class Ranges {
       }
       for (const std::uint32_t place : places) is_in[place] = 0;
       draw(tile, places, ids);
-      if (!job_.goes_on((direction + static_cast<double>(n + 1) /
-                                         static_cast<double>(start_.size())) /
-                        8)) {
+      if (!job_.goes_on(
+              (direction + static_cast<double>(n + 1) / static_cast<double>(start_.size())) / 8)) {
         return false;
       }
     }
@@ -85,15 +84,15 @@ class Ranges {
     std::array<std::uint32_t, 3> lo{}, hi{};
     for (int axis = 0; axis < 3; ++axis) {
       // In samples; a voxel more on either side covers all rounding.
-      const double from = (s.centre[axis] - s.radius - job_.grid.origin[axis]) /
-                          job_.grid.spacing[axis];
-      const double to = (s.centre[axis] + s.radius - job_.grid.origin[axis]) /
-                        job_.grid.spacing[axis];
+      const double from =
+          (s.centre[axis] - s.radius - job_.grid.origin[axis]) / job_.grid.spacing[axis];
+      const double to =
+          (s.centre[axis] + s.radius - job_.grid.origin[axis]) / job_.grid.spacing[axis];
       const bool is_inside = from > -0.5 && to < job_.grid.size[axis] - 0.5;
       const double last = tiles_[axis] - 1;
-      lo[axis] = is_inside ? static_cast<std::uint32_t>(
-                                 std::clamp((from - 1) / side_[axis], 0.0, last))
-                           : 0;
+      lo[axis] = is_inside
+                     ? static_cast<std::uint32_t>(std::clamp((from - 1) / side_[axis], 0.0, last))
+                     : 0;
       hi[axis] = is_inside
                      ? static_cast<std::uint32_t>(std::clamp((to + 1) / side_[axis], 0.0, last))
                      : tiles_[axis] - 1;
@@ -140,8 +139,8 @@ class Ranges {
       raster_.read_ids(std::span(ids).subspan(job_.grid.index(0, 0, k), samples));
       ++job_.statistics.blocks;
       job_.statistics.block_sites += places.size();
-      job_.statistics.owner_sites += count_owners(ids, job_.grid, {begin[0], begin[1], k},
-                                                  {end[0], end[1], k + 1});
+      job_.statistics.owner_sites +=
+          count_owners(ids, job_.grid, {begin[0], begin[1], k}, {end[0], end[1], k + 1});
     }
     std::vector<std::uint32_t>& seen = seen_[index(tile)];
     for (std::size_t n = 0; n < places.size(); ++n) {

@@ -152,7 +152,10 @@ std::vector<float> site_texels(const ScanSites& sites, const GlFrame& frame, boo
       out.push_back(static_cast<float>(w));
     };
     add({s.base.x - frame.centre.x, s.base.y - frame.centre.y, s.base.z - frame.centre.z},
-        frame.scale, s.shape == SiteKind::kVertex ? 0 : s.shape == SiteKind::kEdge ? 1 : 2);
+        frame.scale,
+        s.shape == SiteKind::kVertex ? 0
+        : s.shape == SiteKind::kEdge ? 1
+                                     : 2);
     add(s.unit, 1, count);
     for (std::uint32_t k = 0; k < most; ++k) {
       if (k < count) {
@@ -208,11 +211,11 @@ GlRaster::GlRaster(const GladGLContext& gl, const VoxelGrid& grid, const ScanSit
     return;
   }
   const bool is_evaluated = method == FieldMethod::kFragments;
-  const std::string fragment =
-      std::string(kFragmentHead) + (is_evaluated ? kEvaluated : kAffine);
+  const std::string fragment = std::string(kFragmentHead) + (is_evaluated ? kEvaluated : kAffine);
   program_ = link_program(gl, kVertexShader, fragment.c_str(), problem_);
   if (program_ == 0) return;
-  const auto width = static_cast<GLsizei>(grid.size[0]), height = static_cast<GLsizei>(grid.size[1]);
+  const auto width = static_cast<GLsizei>(grid.size[0]),
+             height = static_cast<GLsizei>(grid.size[1]);
   const auto target = [&](GLuint& texture, GLint format, GLenum data, GLenum type) {
     gl.GenTextures(1, &texture);
     gl.BindTexture(GL_TEXTURE_2D, texture);
@@ -234,9 +237,8 @@ GlRaster::GlRaster(const GladGLContext& gl, const VoxelGrid& grid, const ScanSit
   gl.Enable(GL_DEPTH_TEST);
   gl.Disable(GL_DITHER);
   gl.ClearDepth(1);
-  sites_ = texel_texture(
-      gl, is_evaluated ? site_texels(sites, frame, false) : std::vector<float>(),
-      kTexelsOfSite * kSitesInRow);
+  sites_ = texel_texture(gl, is_evaluated ? site_texels(sites, frame, false) : std::vector<float>(),
+                         kTexelsOfSite * kSitesInRow);
   gl.GenBuffers(1, &buffer_);
   gl.GenVertexArrays(1, &array_);
   gl.BindVertexArray(array_);
@@ -254,8 +256,7 @@ GlRaster::GlRaster(const GladGLContext& gl, const VoxelGrid& grid, const ScanSit
   gl.UseProgram(program_);
   const auto place = [&](const char* name) { return gl.GetUniformLocation(program_, name); };
   gl.Uniform2f(place("pixels"), static_cast<float>(width), static_cast<float>(height));
-  gl.Uniform2f(place("origin"),
-               static_cast<float>(frame.scale * (grid.origin.x - frame.centre.x)),
+  gl.Uniform2f(place("origin"), static_cast<float>(frame.scale * (grid.origin.x - frame.centre.x)),
                static_cast<float>(frame.scale * (grid.origin.y - frame.centre.y)));
   gl.Uniform2f(place("spacing"), static_cast<float>(frame.scale * grid.spacing.x),
                static_cast<float>(frame.scale * grid.spacing.y));
@@ -332,7 +333,8 @@ std::vector<std::uint8_t> GlRaster::visible(const PieceBuffer& pieces,
   for (std::size_t k = 0; k < ends.size(); ++k) {
     if (ends[k] > begin) {
       gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, queries_[k]);
-      gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(begin), static_cast<GLsizei>(ends[k] - begin));
+      gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(begin),
+                     static_cast<GLsizei>(ends[k] - begin));
       gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
     }
     begin = ends[k];

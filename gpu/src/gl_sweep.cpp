@@ -8,9 +8,10 @@
 // * A site is hidden in a slice if it is hidden at every sample *after all of its distances are
 //   lowered by two half diagonals of a pixel*. Lemma 2.2 lowers them by one. But let r in the slice
 //   belong to the site p and q be the sample nearest to r, at most h away: then
-//   d(q, p) <= d(r, p) + h and, for any other site, d(q, p') >= d(r, p') - h >= d(r, p) - h; so p is
-//   seen at q if 2h is taken off, and with h alone it may not be.
-// * That a region once left behind never comes back needs the way from its points to the site, which
+//   d(q, p) <= d(r, p) + h and, for any other site, d(q, p') >= d(r, p') - h >= d(r, p) - h; so p
+//   is seen at q if 2h is taken off, and with h alone it may not be.
+// * That a region once left behind never comes back needs the way from its points to the site,
+// which
 //   lies in the region, to cross the slice within the grid's box: sites that leave the box sideways
 //   are never left behind.
 #include <algorithm>
@@ -53,8 +54,8 @@ class Sweep {
       const auto proposed = std::span(ids).subspan(job_.grid.index(0, 0, k), samples_);
       raster_.read_ids(proposed);
       if (job_.options.culling.clamping) greatest = greatest_distance();
-      job_.statistics.owner_sites += count_owners(ids, job_.grid, {0, 0, k},
-                                                  {job_.grid.size[0], job_.grid.size[1], k + 1});
+      job_.statistics.owner_sites +=
+          count_owners(ids, job_.grid, {0, 0, k}, {job_.grid.size[0], job_.grid.size[1], k + 1});
       if (!job_.goes_on((upwards ? 0.0 : 0.5) + 0.5 * n / slices)) return false;
     }
     return true;

@@ -95,12 +95,11 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
       buffers[n].clear();
       for (const CullTile& tile : tiles) {
         if (k < tile.node.begin[2] || k >= tile.node.end[2]) continue;
-        const PixelRect rect = {static_cast<double>(tile.node.begin[0]),
-                                static_cast<double>(tile.node.begin[1]),
-                                static_cast<double>(tile.node.end[0]),
-                                static_cast<double>(tile.node.end[1])};
-        const double reach = job.options.culling.blocks ? tile.node.reach + job.slack
-                                                        : job.options.band + job.slack;
+        const PixelRect rect = {
+            static_cast<double>(tile.node.begin[0]), static_cast<double>(tile.node.begin[1]),
+            static_cast<double>(tile.node.end[0]), static_cast<double>(tile.node.end[1])};
+        const double reach =
+            job.options.culling.blocks ? tile.node.reach + job.slack : job.options.band + job.slack;
         for (const std::uint32_t place : tile.places) {
           pieces.clear();
           slice.add_pieces(job.sites, place, rect, job.style, reach, pieces);
@@ -112,8 +111,8 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
       const std::uint32_t k = first + n;
       raster.begin_slice(Slice(grid, k).z());
       raster.draw(buffers[n]);
-      raster.read_ids(std::span(ids).subspan(grid.index(0, 0, k),
-                                             std::size_t{grid.size[0]} * grid.size[1]));
+      raster.read_ids(
+          std::span(ids).subspan(grid.index(0, 0, k), std::size_t{grid.size[0]} * grid.size[1]));
       area += buffers[n].area();
     }
     if (!job.goes_on(0.9 * (first + slices) / grid.size[2])) return false;

@@ -88,8 +88,7 @@ class Builder {
     for (std::uint32_t e = 0; e < links.size(); ++e) {
       for (int end = 0; end < 2; ++end) {
         const std::uint32_t v = links[e][end], w = links[e][1 - end];
-        if (edge_count_[v] < kMostConditions &&
-            length(minus(point(w), point(v))) >= dilation_) {
+        if (edge_count_[v] < kMostConditions && length(minus(point(w), point(v))) >= dilation_) {
           at_point_[v][edge_count_[v]++] = w;
         }
       }

@@ -1,10 +1,10 @@
 /// Sites as the scan conversion wants them: carriers, and domains as half-spaces.
 ///
-/// Bounds. Let u = 2^-53 (2^-24 where floats do the work) and R = `reach`, the 1-norm diameter of the
-/// box of all samples and sites.
-/// A difference of a sample and a point errs by u R (1-norm). Unit vectors of edges err by 6u, of
-/// faces by 8u (see unit_normal), their products by 20u. So a value w.(x - p), with its three
-/// products and sums, errs by at most 29 u R, a limit w.(b - p) by 24 u R: 53 u R together.
+/// Bounds. Let u = 2^-53 (2^-24 where floats do the work) and R = `reach`, the 1-norm diameter of
+/// the box of all samples and sites. A difference of a sample and a point errs by u R (1-norm).
+/// Unit vectors of edges err by 6u, of faces by 8u (see unit_normal), their products by 20u. So a
+/// value w.(x - p), with its three products and sums, errs by at most 29 u R, a limit w.(b - p) by
+/// 24 u R: 53 u R together.
 ///   contraction = 64 u R: a site's own conditions (the foot on the carrier is in the site) are
 ///     tightened by it, so no sample is ever given a distance to a carrier outside of the site.
 ///   margin = 128 u R > (64 + 53) u R: who fails a tightened condition has its foot within `margin`

@@ -117,8 +117,8 @@ ConvexPolygon Slice::domain(const ScanSites& sites, std::uint32_t place, const P
   ConvexPolygon polygon(within);
   for (const Condition& c : sites.conditions(site)) {
     if (polygon.size() == 0) break;
-    polygon.clip(along(c.w, site.base)
-                     .at_most(c.limit + style.depth * std::abs(c.w.z), style.dilation));
+    polygon.clip(
+        along(c.w, site.base).at_most(c.limit + style.depth * std::abs(c.w.z), style.dilation));
   }
   if (site.shape != SiteKind::kFace || style.method == FieldMethod::kFragments) return polygon;
   // Enlarged sides meet far from a sharp corner: cut across, at the same distance from it.
@@ -157,9 +157,9 @@ void Slice::add_pieces(const ScanSites& sites, std::uint32_t place, const PixelR
       out.push_back({polygon, {r1, r2, {}}});
       return;
     }
-    for_each_sector(
-        polygon, r1, r2, style.mesh_error, style.dilation,
-        [&](const Sector& s) { out.push_back({s.polygon, {s.radius, {}, {}}}); });
+    for_each_sector(polygon, r1, r2, style.mesh_error, style.dilation, [&](const Sector& s) {
+      out.push_back({s.polygon, {s.radius, {}, {}}});
+    });
   } else {
     const PixelAffine rx = along(axis(0), site.base), ry = along(axis(1), site.base);
     const double height = z_ - site.base.z;

@@ -1,5 +1,5 @@
-// OpenGL backends against the brute-force twin: proposals within the published regret. Skipped, with
-// the reason, where a library, a driver or a version of OpenGL is missing.
+// OpenGL backends against the brute-force twin: proposals within the published regret. Skipped,
+// with the reason, where a library, a driver or a version of OpenGL is missing.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -104,8 +104,7 @@ TEST_P(GlField, Slivers_StayWithinTheRegret) {
 }
 
 TEST_P(GlField, SolidsAndThinGrids_StayWithinTheRegret) {
-  for (const PolygonMesh& mesh :
-       {shapes::lpocket(), shapes::rotate_rounded(shapes::prism(7), 3)}) {
+  for (const PolygonMesh& mesh : {shapes::lpocket(), shapes::rotate_rounded(shapes::prism(7), 3)}) {
     const SiteSet sites = sites_of(soup_of(mesh));
     expect_all_within_regret(sites, grid_around(sites, {36, 35, 5}));
     expect_all_within_regret(sites, grid_around(sites, {1, 1, 1}));
@@ -213,15 +212,16 @@ TEST_P(GlField, ThreadsChangeNoBit) {
 
 // The papers' cullings, each alone, on soups that are open, intersecting and partly off the grid.
 TEST_P(GlField, SweepsAndRanges_LoseNoOwner) {
-  for (std::uint64_t seed = 0; seed < seeds(5); ++seed) {
+  for (std::uint64_t seed = 0; seed < seeds(3); ++seed) {
     SCOPED_TRACE(seed);
     RandomSoup random(seed);
     random.on_lattice = seed % 2 == 1;
-    const SiteSet sites = sites_of(random.make(4, 6, 14));
-    const VoxelGrid grid = grid_around(sites, {35, 9, 17}, seed == 2 ? -0.2 : 0.25);
+    const SiteSet sites = sites_of(random.make(2, 3, 4));
+    const VoxelGrid grid = grid_around(sites, {35, 4, 10}, seed == 2 ? -0.2 : 0.25);
     const DistanceField brute = brute_of(sites, grid);
     for_each_method([&](FieldOptions o) {
-      if (o.method == FieldMethod::kGather) return;
+      const auto method = static_cast<std::uint64_t>(o.method);
+      if (o.method == FieldMethod::kGather || (seed > 0 && method % 3 != seed % 3)) return;
       for (const bool domains : {false, true}) {
         for (int kind = 0; kind < 3; ++kind) {
           SCOPED_TRACE(kind);
@@ -240,8 +240,9 @@ TEST_P(GlField, SweepsAndRanges_LoseNoOwner) {
 
 // What they are for: fewer sites a slice, fewer fragments a voxel.
 TEST_P(GlField, SweepsClampingAndRanges_SaveWork) {
-  const SiteSet sites = sites_of(soup_of(shapes::torus(16, 10, 2, 0.7)));
-  const VoxelGrid grid = grid_around(sites, {40, 40, 24});
+  if (GetParam() != FieldBackend::kEgl) GTEST_SKIP() << "the same without another driver";
+  const SiteSet sites = sites_of(soup_of(shapes::torus(8, 4, 2, 0.7)));
+  const VoxelGrid grid = grid_around(sites, {36, 12, 12});
   FieldOptions o;
   o.backend = GetParam();
   o.method = FieldMethod::kLinearFactorization;

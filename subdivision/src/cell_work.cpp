@@ -80,6 +80,7 @@ CellOutcome CellWorker::work(Cell& cell) {
     leaf.theorem = LeafTheorem::kOutside;
     return leaf;
   }
+  stats_.site_pairs += cell.candidates.size();
   cell.candidates =
       production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
   const bool small = cell.candidates.size() <= kMaxCandidates;

@@ -15,9 +15,9 @@
 namespace blum {
 
 enum class FieldBackend : std::uint8_t {
-  kCpu,    ///< scan conversion in double, culled by blocks: the default and the reference
-  kBrute,  ///< all sites for all samples, certified bounds alone: the twin that tests compare with
-  kEgl,    ///< OpenGL through EGL: a device's driver, or the surfaceless platform's
+  kCpu,     ///< scan conversion in double, culled by blocks: the default and the reference
+  kBrute,   ///< all sites for all samples, certified bounds alone: the twin that tests compare with
+  kEgl,     ///< OpenGL through EGL: a device's driver, or the surfaceless platform's
   kOsmesa,  ///< OpenGL through OSMesa: Mesa's renderers without hardware
 };
 [[nodiscard]] const char* field_backend_name(FieldBackend backend);
@@ -135,8 +135,8 @@ struct DistanceField {
 };
 
 /// Requires: sites within the box [-2^200, 2^200]^3 (SiteSet::build sees to it).
-/// Errors: kBadArgument (a bad grid, a band that is negative or NaN, threads < 1; OpenGL: no driver,
-/// a grid too large for it, or too many samples without a proposal), kInterrupted.
+/// Errors: kBadArgument (a bad grid, a band that is negative or NaN, threads < 1; OpenGL: no
+/// driver, a grid too large for it, or too many samples without a proposal), kInterrupted.
 ///
 /// The owner of a sample is the site with the least *computed* distance, the lowest id among those
 /// with equal ones: a site whose certified interval lies above another's never owns it. OpenGL
