@@ -121,7 +121,8 @@ std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
   // Per voxel an id and a distance. Per site, measured: its record and conditions (twice while they
   // are sorted), the tables that they are made from, its places in the lists of the tasks.
   const std::uint64_t per_site = options.backend == FieldBackend::kBrute ? 16 : 1000;
-  return 12 * grid.voxels() + per_site * sites.size();
+  const std::uint64_t per_voxel = is_opengl(options.backend) ? 16 : 12;  // the proposed ids
+  return per_voxel * grid.voxels() + per_site * sites.size();
 }
 
 }  // namespace blum

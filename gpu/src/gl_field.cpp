@@ -126,7 +126,7 @@ std::optional<Error> gl_field(const SiteSet& set, const FieldOptions& options,
     if (!raster.problem().empty()) return bad(raster.problem());
     bits = raster.subpixel_bits();
     job.style.dilation = std::ldexp(4, -bits);
-    job.slack = 2 * regret_of(sites, grid, job.style, bits);
+    job.slack = 1.25 * regret_of(sites, grid, job.style, bits);
     is_done = options.culling.sweep    ? draw_sweep(raster, job, use)
               : options.culling.ranges ? draw_ranges(raster, job, use)
                                        : draw_tiles(raster, job, use);

@@ -138,7 +138,6 @@ class Ranges {
       const std::size_t samples = std::size_t{job_.grid.size[0]} * job_.grid.size[1];
       raster_.read_ids(std::span(ids).subspan(job_.grid.index(0, 0, k), samples));
       ++job_.statistics.blocks;
-      job_.statistics.block_sites += places.size();
       job_.statistics.owner_sites +=
           count_owners(ids, job_.grid, {begin[0], begin[1], k}, {end[0], end[1], k + 1});
     }
@@ -162,6 +161,7 @@ class Ranges {
       for (const SlicePiece& p : pieces) {
         pieces_.add(p, places[n], job_.sites.site[places[n]].id);
       }
+      if (writes && !pieces.empty()) ++job_.statistics.block_sites;
       ends.push_back(pieces_.corners());
       which.push_back(n);
     }

@@ -78,7 +78,6 @@ class Sweep {
   void draw(const Slice& slice, double reach, std::vector<std::uint32_t>& active) {
     raster_.begin_slice(slice.z());
     ++job_.statistics.blocks;
-    job_.statistics.block_sites += active.size();
     std::ranges::reverse(active);
     const double more = 2 * half_ + job_.slack;
     const auto seen = visible(slice, job_.style, reach, active, 0, true);
@@ -105,6 +104,7 @@ class Sweep {
       pieces.clear();
       slice.add_pieces(job_.sites, place, job_.slice_rect(), style, reach, pieces);
       for (const SlicePiece& p : pieces) pieces_.add(p, place, job_.sites.site[place].id);
+      if (writes && !pieces.empty()) ++job_.statistics.block_sites;
       ends.push_back(pieces_.corners());
     }
     job_.statistics.queries += places.size();

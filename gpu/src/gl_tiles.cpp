@@ -86,6 +86,7 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
   double area = 0;
   const auto group = static_cast<std::uint32_t>(2 * job.options.threads);
   std::vector<PieceBuffer> buffers(group, PieceBuffer(job.style.method, frame));
+  std::vector<std::uint64_t> drawn(group);
   for (std::uint32_t first = 0; first < grid.size[2]; first += group) {
     const std::uint32_t slices = std::min(group, grid.size[2] - first);
     for_each_in_parallel(job.options.threads, slices, [&](int, std::size_t n) {
@@ -93,6 +94,7 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
       const Slice slice(grid, k);
       std::vector<SlicePiece> pieces;
       buffers[n].clear();
+      drawn[n] = 0;
       for (const CullTile& tile : tiles) {
         if (k < tile.node.begin[2] || k >= tile.node.end[2]) continue;
         const PixelRect rect = {
@@ -104,6 +106,7 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
           pieces.clear();
           slice.add_pieces(job.sites, place, rect, job.style, reach, pieces);
           for (const SlicePiece& p : pieces) buffers[n].add(p, place, job.sites.site[place].id);
+          drawn[n] += !pieces.empty();
         }
       }
     });
@@ -114,6 +117,7 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
       raster.read_ids(
           std::span(ids).subspan(grid.index(0, 0, k), std::size_t{grid.size[0]} * grid.size[1]));
       area += buffers[n].area();
+      job.statistics.block_sites += drawn[n];
     }
     if (!job.goes_on(0.9 * (first + slices) / grid.size[2])) return false;
   }
@@ -123,7 +127,6 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
       begin[2] = k;
       end[2] = k + 1;
       ++job.statistics.blocks;
-      job.statistics.block_sites += tile.places.size();
       job.statistics.owner_sites += count_owners(ids, grid, begin, end);
     }
   }

@@ -127,8 +127,7 @@ TEST_P(GlField, AnyScaleAndPlace_StaysWithinTheRegret) {
       const auto field = compute_field(sites, grid, o);
       ASSERT_TRUE(field.ok()) << field.error().message;
       EXPECT_EQ(test::difference(sites, field.value(), brute), "");
-      EXPECT_LT(field.value().bound.regret,
-                scale * (o.method == FieldMethod::kDistanceMeshes ? 1 : 0.1));
+      EXPECT_LT(field.value().bound.regret, scale);
     });
   }
 }
@@ -245,7 +244,6 @@ TEST_P(GlField, SweepsClampingAndRanges_SaveWork) {
   const VoxelGrid grid = grid_around(sites, {36, 12, 12});
   FieldOptions o;
   o.backend = GetParam();
-  o.method = FieldMethod::kLinearFactorization;
   const auto statistics = [&](bool sweep, bool clamping, bool ranges) {
     o.culling = {};
     o.culling.blocks = false;

@@ -88,7 +88,8 @@ struct FieldBound {
 /// 32 x 32 samples (OpenGL, and with `ranges`) or a slice (`sweep`, both directions counted).
 struct FieldStatistics {
   std::uint64_t blocks = 0;       ///< parts
-  std::uint64_t block_sites = 0;  ///< sites processed, summed over the parts
+  /// Sites processed, summed over the parts; where polygons are drawn: sites with a polygon there.
+  std::uint64_t block_sites = 0;
   std::uint64_t owner_sites = 0;  ///< of these, sites that own a sample of the part
   /// Pairs of a sample and a site whose distance was evaluated; where polygons are drawn: the area
   /// of these polygons in pixels.
@@ -148,8 +149,8 @@ struct DistanceField {
 /// The point of site_at(voxel) nearest to the sample, rounded. Requires: the voxel has a site.
 [[nodiscard]] Point3 foot_at(const SiteSet& sites, const DistanceField& field, std::size_t voxel);
 
-/// About how many bytes compute_field needs at its peak, beside the SiteSet: 12 a voxel, and what
-/// 300,000 sites were measured to take, in proportion.
+/// About how many bytes compute_field needs at its peak, beside the SiteSet and what a driver takes:
+/// 12 a voxel (OpenGL: 16), and what 300,000 sites were measured to take, in proportion.
 [[nodiscard]] std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
                                                const FieldOptions& options);
 
