@@ -89,9 +89,9 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command.footer(
-      R"(The distance of every sample is within the bound that is printed. OpenGL only proposes the site of
-a sample: its distance is computed in double, and it is at most the printed regret farther than the
-nearest one.
+      R"(The distance of every sample is within the bound that is printed. OpenGL only proposes the
+site of a sample: its distance is computed in double, and it is at most the printed regret farther
+than the nearest one.
 .vti files hold distances, site ids and sides; .nrrd and .npy distances alone (FILE.npy.json says
 where the samples are). Ids: vertices as in the file, then edges, then faces.
 

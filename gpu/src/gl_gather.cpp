@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "gl_field.hpp"
+#include "gl_program.hpp"
 #include "scan_block.hpp"
 
 namespace blum::detail {

@@ -1,7 +1,9 @@
 #include "gl_raster.hpp"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
+
+#include "gl_program.hpp"
 
 namespace blum::detail {
 namespace {
@@ -76,121 +78,7 @@ void main() {
   finish(dot(v, v));
 })";
 
-std::string log_of(const GladGLContext& gl, GLuint object, bool is_program) {
-  char text[2000] = "";
-  if (is_program) {
-    gl.GetProgramInfoLog(object, sizeof text, nullptr, text);
-  } else {
-    gl.GetShaderInfoLog(object, sizeof text, nullptr, text);
-  }
-  return text;
-}
-
 }  // namespace
-
-GLuint link_program(const GladGLContext& gl, const char* first, const char* fragment,
-                    std::string& problem) {
-  const GLuint program = gl.CreateProgram();
-  const auto add = [&](GLenum kind, const char* source) {
-    const GLuint shader = gl.CreateShader(kind);
-    gl.ShaderSource(shader, 1, &source, nullptr);
-    gl.CompileShader(shader);
-    GLint is_good = 0;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_good);
-    if (is_good == 0) problem = "the driver refuses a shader: " + log_of(gl, shader, false);
-    gl.AttachShader(program, shader);
-    gl.DeleteShader(shader);
-  };
-  add(fragment == nullptr ? GL_COMPUTE_SHADER : GL_VERTEX_SHADER, first);
-  if (fragment != nullptr) add(GL_FRAGMENT_SHADER, fragment);
-  gl.LinkProgram(program);
-  GLint is_good = 0;
-  gl.GetProgramiv(program, GL_LINK_STATUS, &is_good);
-  if (is_good == 0 && problem.empty()) {
-    problem = "the driver refuses a program: " + log_of(gl, program, true);
-  }
-  if (problem.empty()) return program;
-  gl.DeleteProgram(program);
-  return 0;
-}
-
-GLuint texel_texture(const GladGLContext& gl, std::vector<float> texels, int row) {
-  const std::size_t words = 4 * static_cast<std::size_t>(row);
-  const std::size_t rows = std::max<std::size_t>(1, (texels.size() + words - 1) / words);
-  texels.resize(rows * words);
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, row, static_cast<GLsizei>(rows), 0, GL_RGBA, GL_FLOAT,
-                texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
-}
-
-GlFrame gl_frame(const ScanSites& sites, const SiteSet& set, const VoxelGrid& grid) {
-  const Box3 samples = grid.sample_box();
-  GlFrame frame;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lo = std::min(set.box().lo[axis], samples.lo[axis]);
-    frame.centre[axis] = lo + 0.5 * (std::max(set.box().hi[axis], samples.hi[axis]) - lo);
-  }
-  int exponent = 0;
-  (void)std::frexp(sites.reach, &exponent);
-  frame.scale = std::ldexp(1, -exponent - 1);
-  return frame;
-}
-
-std::vector<float> site_texels(const ScanSites& sites, const GlFrame& frame, bool all) {
-  std::vector<float> out;
-  const std::uint32_t most = all ? kMostConditions : 3;
-  out.reserve(sites.site.size() * 4 * (2 + most));
-  for (const ScanSite& s : sites.site) {
-    const std::uint32_t count = all ? s.count : own_conditions(s.shape);
-    const auto add = [&out](const Point3& p, double scale, double w) {
-      for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(scale * p[k]));
-      out.push_back(static_cast<float>(w));
-    };
-    add({s.base.x - frame.centre.x, s.base.y - frame.centre.y, s.base.z - frame.centre.z},
-        frame.scale,
-        s.shape == SiteKind::kVertex ? 0
-        : s.shape == SiteKind::kEdge ? 1
-                                     : 2);
-    add(s.unit, 1, count);
-    for (std::uint32_t k = 0; k < most; ++k) {
-      if (k < count) {
-        const Condition& c = sites.condition[s.first + k];
-        add(c.w, 1, frame.scale * c.limit);
-      } else {
-        add({}, 0, 0);
-      }
-    }
-  }
-  return out;
-}
-
-void PieceBuffer::add(const SlicePiece& piece, std::uint32_t place, std::uint32_t id) {
-  const ConvexPolygon& p = piece.polygon;
-  const auto corner = [&](int k) {
-    const auto number = [this](double x) {
-      words_.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
-    };
-    number(p[k][0]);
-    number(p[k][1]);
-    words_.push_back(place);
-    words_.push_back(id);
-    if (method_ == FieldMethod::kFragments) return;
-    for (const PixelAffine& a : piece.vector) number(frame_.scale * a.at);
-    for (const PixelAffine& a : piece.vector) number(frame_.scale * a.x);
-    for (const PixelAffine& a : piece.vector) number(frame_.scale * a.y);
-  };
-  for (int k = 1; k + 1 < p.size(); ++k) {
-    corner(0);
-    corner(k);
-    corner(k + 1);
-  }
-  area_ += p.area();
-}
 
 GlRaster::GlRaster(const GladGLContext& gl, const VoxelGrid& grid, const ScanSites& sites,
                    const GlFrame& frame, FieldMethod method)

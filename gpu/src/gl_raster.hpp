@@ -7,40 +7,9 @@
 #include <vector>
 
 #include "gl_context.hpp"
-#include "slice_pieces.hpp"
+#include "gl_data.hpp"
 
 namespace blum::detail {
-
-/// Model units to those of shaders: about the middle of everything, and at most 1/2 long.
-struct GlFrame {
-  Point3 centre;
-  double scale = 1;  ///< a power of two
-};
-[[nodiscard]] GlFrame gl_frame(const ScanSites& sites, const SiteSet& set, const VoxelGrid& grid);
-
-/// Carriers and own conditions as four floats each, 5 a site; `all`: all conditions, 2 + 8 a site.
-[[nodiscard]] std::vector<float> site_texels(const ScanSites& sites, const GlFrame& frame,
-                                             bool all);
-
-/// Corners of the triangles of pieces, as the raster's shaders want them.
-class PieceBuffer {
- public:
-  PieceBuffer(FieldMethod method, const GlFrame& frame) : method_(method), frame_(frame) {}
-  void clear() { words_.clear(), area_ = 0; }
-  void add(const SlicePiece& piece, std::uint32_t place, std::uint32_t id);
-  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
-  [[nodiscard]] std::size_t corners() const { return words_.size() / stride(); }
-  [[nodiscard]] std::size_t stride() const {  // words a corner
-    return method_ == FieldMethod::kFragments ? 4 : 13;
-  }
-  [[nodiscard]] double area() const { return area_; }  ///< in pixels
-
- private:
-  FieldMethod method_;
-  GlFrame frame_;
-  std::vector<std::uint32_t> words_;
-  double area_ = 0;
-};
 
 /// Requires the context to be current, at construction, calls and destruction.
 class GlRaster {
@@ -89,12 +58,5 @@ class GlRaster {
   GLint z_place_ = -1, nearer_place_ = -1;
   std::vector<GLuint> queries_;
 };
-
-/// A program of a vertex and a fragment shader, or of one compute shader (`fragment` empty).
-/// Returns 0, and says why, if the driver refuses.
-[[nodiscard]] GLuint link_program(const GladGLContext& gl, const char* first, const char* fragment,
-                                  std::string& problem);
-/// A 2D texture of 4-float texels, `row` of them a row.
-[[nodiscard]] GLuint texel_texture(const GladGLContext& gl, std::vector<float> texels, int row);
 
 }  // namespace blum::detail

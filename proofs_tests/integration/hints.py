@@ -9,6 +9,9 @@ from tool import ToolTest, main
 class Hints(ToolTest):
     SHAPES = [["lpocket"], ["torus", 6, 4, 2, 0.75]]
 
+    # What is printed of each.
+    SOURCES = {"none": "none", "cpu": "cpu", "gl": "(egl|osmesa)", "corrupted": "cpu, corrupted"}
+
     def run_with(self, name, *arguments):
         result = self.blum("medial", "shape.off", "-o", name, *arguments)
         if "no OpenGL" in result.stderr:
@@ -20,15 +23,15 @@ class Hints(ToolTest):
         for shape in self.SHAPES:
             self.expect(self.blum("make", *shape, "-o", "shape.off"), 0)
             plain, _ = self.run_with("plain")
-            for source in ["none", "cpu", "gl", "corrupted"]:
+            for source in self.SOURCES:
                 with self.subTest(shape=shape, hints=source):
-                    hinted, text = self.run_with("hinted", "--hints", source, "--hint-resolution", 9)
+                    hinted, text = self.run_with("hinted", "--hints", source,
+                                                 "--hint-resolution", 9)
                     if hinted is None:
                         self.assertEqual(source, "gl")
                         self.skipTest("no OpenGL driver")
                     self.assertEqual(plain, hinted)
-                    self.assertRegex(text, r"hints +" + {"gl": "(egl|osmesa)", "none": "none",
-                                                         "cpu": "cpu", "corrupted": "cpu, corrupted"}[source])
+                    self.assertRegex(text, r"hints +" + self.SOURCES[source])
                     self.assertTrue(re.search(r"[1-9]\d* pairs of a cell and a site", text))
 
     def test_voronoi_is_the_same(self):

@@ -149,8 +149,8 @@ struct DistanceField {
 /// The point of site_at(voxel) nearest to the sample, rounded. Requires: the voxel has a site.
 [[nodiscard]] Point3 foot_at(const SiteSet& sites, const DistanceField& field, std::size_t voxel);
 
-/// About how many bytes compute_field needs at its peak, beside the SiteSet and what a driver takes:
-/// 12 a voxel (OpenGL: 16), and what 300,000 sites were measured to take, in proportion.
+/// About how many bytes compute_field needs at its peak, beside the SiteSet and a driver's own: 12 a
+/// voxel (OpenGL: 16), and what 300,000 sites were measured to take, in proportion.
 [[nodiscard]] std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
                                                const FieldOptions& options);
 
