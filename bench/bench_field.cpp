@@ -98,7 +98,7 @@ double worst_error(const Scene& scene, const std::vector<float>& distance) {
   const auto field = compute_field(scene.sites, scene.grid, options_with_band(scene, 1e300));
   double worst = 0;
   for (std::size_t v = 0; v < distance.size(); ++v) {
-    worst = std::max(worst, std::abs(distance[v] - field.value().distance[v]));
+    worst = std::max(worst, std::abs(distance[v] - field.value().distance[v]));  // NaN: no answer
   }
   return worst / scene.grid.spacing.x;
 }
@@ -123,6 +123,10 @@ BENCHMARK_CAPTURE(cpu, full, 1e300)->Apply(sizes);
 BENCHMARK_CAPTURE(cpu, band3, 3)->Apply(sizes);
 #ifdef BLUM_HAS_EMBREE
 BENCHMARK_CAPTURE(peer, embree, bench::embree_distances)->Apply(sizes);
+#endif
+#ifdef BLUM_HAS_OPENVDB
+BENCHMARK_CAPTURE(peer, openvdb, bench::openvdb_distances)->Apply(sizes);
+BENCHMARK_CAPTURE(peer, openvdb_band3, bench::openvdb_band3)->Apply(sizes);
 #endif
 #ifdef BLUM_HAS_CGAL
 BENCHMARK_CAPTURE(peer, cgal, bench::cgal_distances)->Apply(sizes);

@@ -14,5 +14,10 @@ namespace blum::bench {
                                                   int threads);
 [[nodiscard]] std::vector<float> cgal_distances(const SiteSet& sites, const VoxelGrid& grid,
                                                 int threads);
+/// OpenVDB computes a whole grid; NaN outside of a band. Requires cubes for voxels.
+[[nodiscard]] std::vector<float> openvdb_distances(const SiteSet& sites, const VoxelGrid& grid,
+                                                   int threads);
+[[nodiscard]] std::vector<float> openvdb_band3(const SiteSet& sites, const VoxelGrid& grid,
+                                               int threads);
 
 }  // namespace blum::bench

@@ -6,8 +6,8 @@
 #include <map>
 #include <thread>
 
-#include "blum/gpu/field_io.hpp"
 #include "commands.hpp"
+#include "field_vdb.hpp"
 
 namespace blum::app {
 
@@ -36,13 +36,44 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--signed", arguments.is_signed,
                    "Negative inside, exactly; the mesh must bound a solid");
-  command.add_option("--backend", options.backend, "auto (cpu), cpu, or brute: slow and simple")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, FieldBackend>{{"auto", FieldBackend::kCpu},
-                                              {"cpu", FieldBackend::kCpu},
-                                              {"brute", FieldBackend::kBrute}}))
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&arguments](const std::string& name) {
+            if (name == "auto") arguments.backend.reset();
+            for (const FieldBackend b : {FieldBackend::kCpu, FieldBackend::kEgl,
+                                         FieldBackend::kOsmesa, FieldBackend::kBrute}) {
+              if (name == field_backend_name(b)) arguments.backend = b;
+            }
+          },
+          "auto: OpenGL where EGL has a driver for hardware, else the CPU;\n"
+          "cpu; egl or osmesa: OpenGL; brute: slow and simple")
+      ->check(CLI::IsMember({"auto", "cpu", "egl", "osmesa", "brute"}))
       ->default_str("auto");
-  command.add_option("-o,--output", arguments.output, "FILE.vti, FILE.nrrd or FILE.npy");
+  command
+      .add_option("--method", options.method,
+                  "Of OpenGL: fragments; gather (needs OpenGL 4.3); havoc: distance meshes;\n"
+                  "difi: linear factorization of distance vectors")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, FieldMethod>{{"fragments", FieldMethod::kFragments},
+                                             {"gather", FieldMethod::kGather},
+                                             {"havoc", FieldMethod::kDistanceMeshes},
+                                             {"difi", FieldMethod::kLinearFactorization}}))
+      ->default_str("fragments");
+  command
+      .add_option("--mesh-error", options.mesh_error,
+                  "Of havoc's meshes, in units of the smallest spacing")
+      ->capture_default_str();
+  command
+      .add_option("--cull", arguments.culling,
+                  "What to leave out early, with commas between; it changes no distance:\n"
+                  "blocks, domains; OpenGL instead of blocks: sweep, clamp (with sweep), ranges;\n"
+                  "none (default: blocks,domains)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"blocks", "domains", "sweep", "clamp", "ranges", "none"}));
+  command.add_option(
+      "-o,--output", arguments.output,
+      has_vdb() ? "FILE.vti, FILE.nrrd, FILE.npy or FILE.vdb" : "FILE.vti, FILE.nrrd or FILE.npy");
   command.add_option("--slice", arguments.slice, "Write a slice as a picture to this PNG file");
   command.add_option("--slice-axis", arguments.slice_axis, "The slice's axis: x, y or z")
       ->transform(CLI::CheckedTransformer(std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}}))
@@ -57,7 +88,10 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
                   "The result does not depend on it (default: the number of cores)")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command.footer(R"(The distance of every sample is within the bound that is printed.
+  command.footer(
+      R"(The distance of every sample is within the bound that is printed. OpenGL only proposes the
+site of a sample: its distance is computed in double, and it is at most the printed regret farther
+than the nearest one.
 .vti files hold distances, site ids and sides; .nrrd and .npy distances alone (FILE.npy.json says
 where the samples are). Ids: vertices as in the file, then edges, then faces.
 
@@ -67,7 +101,31 @@ Examples:
   blum field scan.ply --resolution 200,100,50 --box 0,0,0,4,2,1 -o scan.npy
   blum field part.stl --resolution 64 --order 3 -o nearest3.vti
   blum field part.stl --resolution 256 --signed --slice part.png --slice-axis x
+  blum field part.stl --resolution 128 --backend egl --method difi --cull domains,sweep,clamp \
+      -o part.vti
   blum field part.stl --resolution 1024 --dry-run)");
+}
+
+std::string resolve_backend(FieldArguments& arguments) {
+  FieldOptions& options = arguments.options;
+  if (!arguments.culling.empty()) {
+    const auto has = [&](const char* name) {
+      return std::ranges::find(arguments.culling, name) != arguments.culling.end();
+    };
+    options.culling = {has("blocks"), has("domains"), has("sweep"), has("clamp"), has("ranges")};
+  }
+  if (arguments.backend) {
+    options.backend = *arguments.backend;
+    if (!is_opengl(options.backend)) return "as asked";
+    const Result<FieldDriver> driver = field_driver(options.backend);
+    if (!driver) return driver.error().message;
+    return driver.value().renderer + ", OpenGL " + driver.value().version + ", " +
+           field_method_name(options.method);
+  }
+  if (arguments.order > 1) return "auto: several sites a sample are found by the CPU alone";
+  const BackendChoice choice = choose_backend();
+  options.backend = choice.backend;
+  return "auto: " + choice.reason;
 }
 
 std::string arguments_problem(const FieldArguments& a) {
@@ -75,14 +133,21 @@ std::string arguments_problem(const FieldArguments& a) {
   if (a.resolution.size() == 2) return "--resolution: one number or three";
   if (std::ranges::find(a.resolution, 0u) != a.resolution.end()) return "--resolution: 0";
   if (!(a.options.band >= 0)) return "--band: not a distance";
+  if (a.order > 1 && is_opengl(a.backend.value_or(FieldBackend::kCpu))) {
+    return "--order: the OpenGL backends find the nearest site alone";
+  }
   if (a.order > 1 && a.is_signed) return "--order and --signed exclude each other";
   if (a.output.empty() && a.slice.empty() && !a.is_dry_run) {
     return "nothing to write: give -o FILE, --slice FILE or --dry-run";
   }
-  if (!a.output.empty() && field_files(a.output).empty()) {
-    return "--output: not .vti, .nrrd or .npy: " + a.output;
+  if (!a.output.empty() && output_files(a.output).empty()) {
+    return "--output: not .vti, .nrrd, .npy or .vdb: " + a.output;
   }
-  std::vector<fs::path> files = field_files(a.output);
+  if (is_vdb(a.output) && !has_vdb()) {
+    return "--output: this program was built without OpenVDB: " + a.output;
+  }
+  if (is_vdb(a.output) && a.order > 1) return "--output: a .vdb file holds one value a sample";
+  std::vector<fs::path> files = output_files(a.output);
   if (!a.slice.empty()) files.emplace_back(a.slice);
   for (const fs::path& file : files) {
     std::error_code ignored;

@@ -20,10 +20,15 @@ struct FieldArguments {
   bool is_signed = false, is_dry_run = false;
   int slice_axis = 2;
   std::optional<std::uint32_t> slice_index;
-  FieldOptions options;
+  std::optional<FieldBackend> backend;  // none: auto
+  std::vector<std::string> culling;     // names; empty: the default
+  FieldOptions options;                 // backend and culling by resolve_backend
 };
 
 void add_field_options(CLI::App& command, FieldArguments& arguments);
+
+/// Fills in options.backend and options.culling; says why the backend is the one it is.
+[[nodiscard]] std::string resolve_backend(FieldArguments& arguments);
 
 /// What is wrong with the command line, beyond what CLI11 finds; empty if nothing.
 [[nodiscard]] std::string arguments_problem(const FieldArguments& arguments);

@@ -21,6 +21,7 @@
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "field_arguments.hpp"
+#include "field_vdb.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
 #include "slice_picture.hpp"
@@ -85,15 +86,16 @@ class FieldProgress {
   bool is_on_ = isatty(STDERR_FILENO) == 1;
 };
 
-void print_plan(const SiteSet& sites, const VoxelGrid& grid, const FieldArguments& arguments) {
+void print_plan(const SiteSet& sites, const VoxelGrid& grid, const FieldArguments& arguments,
+                const std::string& reason) {
   std::size_t used = 0;
   for (std::uint32_t v = 0; v < sites.points().size(); ++v) used += sites.is_used(v);
   std::cout << "sites:    " << used << " vertices, " << sites.edges().size() << " edges, "
             << sites.polygons() << " faces\n"
             << "grid:     " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
             << ", first sample " << text(grid.origin) << ", spacing " << text(grid.spacing) << '\n'
-            << "backend:  " << field_backend_name(arguments.options.backend) << ", "
-            << arguments.options.threads << " threads\n"
+            << "backend:  " << field_backend_name(arguments.options.backend) << " (" << reason
+            << "), " << arguments.options.threads << " threads\n"
             << "memory:   about " << mib(needed_bytes(arguments, sites, grid)) << '\n';
 }
 
@@ -128,15 +130,23 @@ void print_result(const FieldOutcome& o, std::uint32_t order, double seconds) {
   const FieldBound& bound = order > 1 ? o.nearest.bound : o.field.bound;
   std::cout << "bound:    computed - " << number(bound.below) << " <= distance <= computed + "
             << number(bound.above) << ", and " << number(bound.relative) << " relative\n";
+  if (is_opengl(o.field.backend) && order == 1) {
+    std::cout << "regret:   at most " << number(bound.regret) << '\n';
+  }
   const FieldStatistics& s = o.field.statistics;
   if (s.blocks > 0) {
     const auto voxels = static_cast<double>(o.field.site.size());
     std::cout << "work:     " << number(static_cast<double>(s.fragments) / voxels)
-              << " evaluations a voxel; " << s.blocks << " blocks with "
+              << " evaluations a voxel; " << s.blocks << " parts with "
               << number(static_cast<double>(s.block_sites) / static_cast<double>(s.blocks))
               << " sites each, of which "
               << number(static_cast<double>(s.owner_sites) / static_cast<double>(s.blocks))
-              << " own a sample\n";
+              << " own a sample\n"
+              << "culling:  efficiency " << number(culling_efficiency(s)) << ", of clamping "
+              << number(clamping_efficiency(s, o.field.site.size()));
+    if (s.queries > 0) std::cout << "; " << s.queries << " occlusion queries";
+    if (s.holes > 0) std::cout << "; " << s.holes << " holes filled by the CPU";
+    std::cout << '\n';
   }
   if (!o.sides.side.empty()) {
     std::cout << "sides:    " << o.sides.exact_tests << " samples by the exact test\n";
@@ -144,8 +154,12 @@ void print_result(const FieldOutcome& o, std::uint32_t order, double seconds) {
   std::cout << "time:     " << number(std::round(1000 * seconds) / 1000) << " s\n";
 }
 
-int run_field(const FieldArguments& arguments) {
+int run_field(FieldArguments arguments) {
   if (const std::string problem = arguments_problem(arguments); !problem.empty()) {
+    return report_usage(problem);
+  }
+  const std::string reason = resolve_backend(arguments);
+  if (const std::string problem = options_problem(arguments.options); !problem.empty()) {
     return report_usage(problem);
   }
   const Result<PolygonMesh> mesh = read_mesh(arguments.model);
@@ -164,7 +178,7 @@ int run_field(const FieldArguments& arguments) {
     solid.emplace(build_solid(mesh.value()));
     if (!*solid) return report_invalid(arguments.model, validate_mesh(mesh.value()));
   }
-  print_plan(sites.value(), grid.value(), arguments);
+  print_plan(sites.value(), grid.value(), arguments, reason);
   if (const auto problem =
           memory_problem(needed_bytes(arguments, sites.value(), grid.value()), grid.value())) {
     report(*problem);
@@ -189,8 +203,8 @@ int run_field(const FieldArguments& arguments) {
 
   const FieldImage image = image_of(outcome.value(), grid.value(), arguments.order);
   if (!arguments.output.empty()) {
-    if (const auto error = write_field(image, arguments.output)) return report(*error);
-    for (const fs::path& file : field_files(arguments.output)) {
+    if (const auto error = write_field_file(image, arguments.output)) return report(*error);
+    for (const fs::path& file : output_files(arguments.output)) {
       std::cout << "wrote " << file.string() << '\n';
     }
   }

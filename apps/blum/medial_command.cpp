@@ -23,6 +23,7 @@
 #include "blum/medial/summary.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
+#include "hints.hpp"
 #include "interrupt.hpp"
 #include "progress_bar.hpp"
 #include "report.hpp"
@@ -43,6 +44,7 @@ struct MedialArguments {
   bool with_angles = false;
   AngleOptions angles;
   DiagramKind kind = DiagramKind::kMedial;
+  HintArguments hints;
   MedialOptions options;
 };
 
@@ -211,6 +213,11 @@ int run_medial(MedialArguments arguments) {
   if (const auto problem = output_problem(files)) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
+  Result<Hints> hints =
+      make_hints(arguments.hints, mesh.value(), solid.value(), arguments.options.threads);
+  if (interrupted_by() != 0) return interrupted();
+  if (!hints) return report(hints.error());
+  arguments.options.distance_hint = hints.value().hint;
   // The certificate is streamed, under another name until it is whole.
   const std::string unfinished = arguments.certificate + ".unfinished";
   std::ofstream certificate;
@@ -282,6 +289,10 @@ int run_medial(MedialArguments arguments) {
     return report(*error);
   }
   std::cout << summary_text(summary);
+  if (!hints.value().text.empty()) {
+    std::cout << "hints      " << hints.value().text << "; " << result.value().site_pairs
+              << " pairs of a cell and a site\n";
+  }
   if (!rows.empty()) std::cout << theta_table_text(rows);
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
@@ -337,6 +348,7 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
                    "The result does not depend on it (default: the number of cores)")
       ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str();
+  add_hint_options(*medial, arguments->hints);
   return arguments;
 }
 

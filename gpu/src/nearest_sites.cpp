@@ -147,6 +147,7 @@ Result<NearestSites> nearest_sites(const SiteSet& sites, const VoxelGrid& grid, 
   if (std::string problem = options_problem(options); !problem.empty()) {
     return bad(std::move(problem));
   }
+  if (is_opengl(options.backend)) return bad("OpenGL backends find the nearest site alone");
   if (order == 0 || order > 64) return bad("the order is not between 1 and 64");
   NearestSites out;
   out.grid = grid;

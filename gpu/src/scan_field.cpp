@@ -143,7 +143,8 @@ std::vector<Task> make_tasks(const ScanSites& sites, const BlockCull& cull,
 }  // namespace
 
 bool scan_field(const SiteSet& set, const FieldOptions& options, DistanceField& field) {
-  const ScanSites sites = make_scan_sites(set, field.grid.sample_box(), options.culling.domains);
+  const ScanSites sites =
+      make_scan_sites(set, field.grid.sample_box(), options.culling.domains, kDoubleUnit);
   const BlockCull cull(sites, field.grid, field.band);
   std::vector<Task> tasks = make_tasks(sites, cull, options, field.statistics);
   std::vector<FieldStatistics> statistics(tasks.size());
@@ -164,6 +165,7 @@ bool scan_field(const SiteSet& set, const FieldOptions& options, DistanceField& 
   field.bound.above = 0x1p-48 * sites.reach;
   field.bound.below = 0x1p-45 * sites.reach + sites.dropped;
   field.bound.relative = 0x1p-51;
+  field.bound.regret = field.bound.below + field.bound.above;
   return goes_on;
 }
 

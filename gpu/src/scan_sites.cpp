@@ -24,15 +24,16 @@ struct Plane {
 
 class Builder {
  public:
-  Builder(const SiteSet& set, const Box3& samples, bool domains) : set_(set), domains_(domains) {
+  Builder(const SiteSet& set, const Box3& samples, bool domains, double unit_roundoff)
+      : set_(set), domains_(domains) {
     for (int axis = 0; axis < 3; ++axis) {
       const double lo = std::min(set.box().lo[axis], samples.lo[axis]);
       const double hi = std::max(set.box().hi[axis], samples.hi[axis]);
       out_.reach += (hi - lo) * (1 + 0x1p-50);
     }
-    contraction_ = 0x1p-47 * out_.reach;
-    out_.margin = 0x1p-46 * out_.reach;
-    out_.dilation = 0x1p20 * out_.margin;
+    contraction_ = 64 * unit_roundoff * out_.reach;
+    out_.margin = 128 * unit_roundoff * out_.reach;
+    dilation_ = 8 * out_.margin;
   }
 
   ScanSites build() {
@@ -87,8 +88,7 @@ class Builder {
     for (std::uint32_t e = 0; e < links.size(); ++e) {
       for (int end = 0; end < 2; ++end) {
         const std::uint32_t v = links[e][end], w = links[e][1 - end];
-        if (edge_count_[v] < kMostConditions &&
-            length(minus(point(w), point(v))) >= out_.dilation) {
+        if (edge_count_[v] < kMostConditions && length(minus(point(w), point(v))) >= dilation_) {
           at_point_[v][edge_count_[v]++] = w;
         }
       }
@@ -137,7 +137,7 @@ class Builder {
     begin_site(SiteKind::kVertex, set_.vertex(v), point(v), {point(v), 0, 0, 0});
     if (!domains_) return;
     for (std::uint32_t k = 0; k < edge_count_[v]; ++k) {
-      add_condition(unit(minus(point(at_point_[v][k]), point(v))), out_.dilation);
+      add_condition(unit(minus(point(at_point_[v][k]), point(v))), dilation_);
     }
   }
 
@@ -172,9 +172,10 @@ class Builder {
       w = scaled(-1, w);
       height = -height;
     }
-    // Thinner triangles could be nearer by less than the margin: see docs/fields.md.
-    if (height >= 2 * out_.dilation && height >= 0x1p-9 * plane.longest) {
-      add_condition(w, out_.dilation);
+    // Why thin triangles need more: docs/fields.md. (Where they would need all of their height they
+    // are of no use.)
+    if (height * height >= 2 * dilation_ * plane.longest) {
+      add_condition(w, dilation_ * (plane.longest / height));
     }
   }
 
@@ -203,7 +204,7 @@ class Builder {
 
   const SiteSet& set_;
   bool domains_;
-  double contraction_ = 0;
+  double contraction_ = 0, dilation_ = 0;
   ScanSites out_;
   std::vector<Plane> planes_;
   std::vector<std::array<std::uint32_t, kMostConditions>> at_point_;
@@ -249,8 +250,8 @@ void sort_along_curve(ScanSites& sites, const Box3& box) {
 
 }  // namespace
 
-ScanSites make_scan_sites(const SiteSet& set, const Box3& samples, bool domains) {
-  ScanSites sites = Builder(set, samples, domains).build();
+ScanSites make_scan_sites(const SiteSet& set, const Box3& samples, bool domains, double unit) {
+  ScanSites sites = Builder(set, samples, domains, unit).build();
   sort_along_curve(sites, set.box());
   return sites;
 }

@@ -60,6 +60,7 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
   result.leaves = subdivision.leaf.size();
   result.leaves_cut = subdivision.stats.leaves_cut;
   result.planes_tried = subdivision.stats.planes_tried;
+  result.site_pairs = subdivision.stats.site_pairs;
   result.max_depth = subdivision.stats.max_depth;
 }
 

@@ -2,6 +2,8 @@
 
 import json
 import math
+import os
+import re
 import shutil
 import struct
 import subprocess
@@ -142,6 +144,48 @@ class Field(ToolTest):
         values = struct.unpack("<60d", (self.folder / "c.npy").read_bytes()[-480:])
         self.expect_close(values, [abs(d) for d in self.distances()])
 
+    def test_vdb_survives_the_round_trip(self):
+        reader = os.environ.get("BLUM_READ_VDB")
+        if not reader:
+            result = self.blum("field", "box.off", *self.GRID, "-o", "box.vdb")
+            self.expect(result, 1)
+            self.assertIn("OpenVDB", result.stderr)
+            self.skipTest("built without OpenVDB")
+        self.expect(self.blum("field", "box.off", *self.GRID, "--signed", "-o", "box.vdb"), 0)
+        read = json.loads(subprocess.run([reader, self.folder / "box.vdb"], check=True,
+                                         capture_output=True, encoding="utf-8").stdout)
+        self.expect_close(read["origin"], self.ORIGIN)
+        self.expect_close(read["spacing"], self.SPACING)
+        values = {(k, j, i): d for i, j, k, d, site in read["values"]}
+        self.assertEqual(len(values), 5 * 4 * 3)
+        self.expect_close([d for _, d in sorted(values.items())], self.distances())
+        self.assertLess(max(site for *_, site in read["values"]), 8 + 12 + 6)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--band", 0.5, "-o", "b.vdb"), 0)
+        read = json.loads(subprocess.run([reader, self.folder / "b.vdb"], check=True,
+                                         capture_output=True, encoding="utf-8").stdout)
+        self.assertEqual(len(read["values"]), sum(abs(d) <= 0.5 for d in self.distances()))
+
+    def test_opengl_backends_are_within_their_regret(self):
+        ways = [["--method", "fragments"], ["--method", "gather"], ["--method", "havoc"],
+                ["--method", "difi", "--cull", "domains,sweep,clamp"],
+                ["--method", "fragments", "--cull", "ranges"]]
+        for backend in ["egl", "osmesa"]:
+            for way in ways:
+                with self.subTest(backend=backend, way=way):
+                    result = self.blum("field", "box.off", *self.GRID, "--signed",
+                                       "--backend", backend, *way, "-o", "gl.npy")
+                    if re.search("no OpenGL|gather needs", result.stderr):
+                        self.skipTest(result.stderr.strip())
+                    self.expect(result, 0)
+                    self.assertRegex(result.stdout, rf"backend: +{backend} \(.*{way[1]}\)")
+                    regret = float(re.search(r"regret: +at most (\S+)", result.stdout)[1])
+                    values = struct.unpack("<60d", (self.folder / "gl.npy").read_bytes()[-480:])
+                    for d, expected in zip(values, self.distances()):
+                        self.assertLessEqual(abs(expected) - 1e-12, abs(d))
+                        self.assertLessEqual(abs(d), abs(expected) + regret + 1e-12)
+        result = self.blum("field", "box.off", "--resolution", 4, "--dry-run")
+        self.assertRegex(result.stdout, r"backend: +(cpu|egl) \(auto: .+\)")
+
     def test_order_and_band_show_in_the_shape(self):
         self.expect(self.blum("field", "box.off", *self.GRID, "--order", 2, "--band", 0.8,
                               "-o", "two.npy"), 0)
@@ -195,6 +239,12 @@ class Field(ToolTest):
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--order", "2",
                            "--signed"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "gpu"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--cull", "sweep"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--cull", "all"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
+                           "--cull", "clamp"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
+                           "--order", "2"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--box", "0,0,0,1,1"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--box", "0,0,0,1,1,0"],
                           ["box.off", "--resolution", "8", "--slice", "x.png", "--slice-index",

@@ -84,6 +84,7 @@ CellOutcome CellWorker::work(Cell& cell) {
     return leaf;
   }
   const auto before = cell.candidates.size();
+  stats_.site_pairs += cell.candidates.size();
   cell.candidates =
       production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
   cell.stuck = cell.candidates.size() < before ? 0 : cell.stuck + 1;

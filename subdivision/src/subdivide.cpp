@@ -165,6 +165,7 @@ void Subdivider::work(int thread) {
   sum.faces_computed += part.faces_computed;
   sum.planes_moved += part.planes_moved;
   sum.planes_tried += part.planes_tried;
+  sum.site_pairs += part.site_pairs;
   sum.leaves_cut += part.leaves_cut;
   for (std::size_t k = 0; k < sum.rejected.size(); ++k) sum.rejected[k] += part.rejected[k];
 }

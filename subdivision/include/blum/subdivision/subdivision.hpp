@@ -110,6 +110,7 @@ struct SubdivisionStats {
   StageCounts stages;  ///< depends on the number of threads: each remembers what it has decided
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
   std::size_t planes_tried = 0, leaves_cut = 0;  ///< see Leaf::cut
+  std::size_t site_pairs = 0;  ///< of a cell and a site looked at when its candidates were pruned
   int max_depth = 0;
   std::array<std::size_t, 11> rejected{};  ///< tested cells by CellVerdict
 };
