@@ -25,5 +25,6 @@ inline const CLI::Validator kDigits(
 [[nodiscard]] Command add_voronoi_command(CLI::App& app);
 [[nodiscard]] Command add_verify_command(CLI::App& app);
 [[nodiscard]] Command add_certificate_command(CLI::App& app);
+[[nodiscard]] Command add_view_command(CLI::App& app);
 
 }  // namespace blum::app
