@@ -37,7 +37,8 @@ void add_camera_options(CLI::App& command, Camera& camera) {
                   "Degrees: where the camera is, from the x axis towards the y axis")
       ->check(CLI::Range(-360.0, 360.0))
       ->capture_default_str();
-  command.add_option("--elevation", camera.elevation_deg, "Degrees of the camera above the xy plane")
+  command
+      .add_option("--elevation", camera.elevation_deg, "Degrees of the camera above the xy plane")
       ->check(CLI::Range(-89.9, 89.9))
       ->capture_default_str();
 }
@@ -45,13 +46,15 @@ void add_camera_options(CLI::App& command, Camera& camera) {
 Command add_view_command(CLI::App& app) {
   CLI::App* view = app.add_subcommand("view", "Write a result as a page to look at in a browser");
   const auto arguments = std::make_shared<ViewArguments>();
-  view->add_option("RESULT", arguments->result,
-                   "PREFIX of `blum medial -o PREFIX` (PREFIX.vtp, PREFIX.json), or a .vtp file of\n"
-                   "blum medial, voronoi, thickness or midsurface")
+  view->add_option(
+          "RESULT", arguments->result,
+          "PREFIX of `blum medial -o PREFIX` (PREFIX.vtp, PREFIX.json), or a .vtp file of\n"
+          "blum medial, voronoi, thickness or midsurface")
       ->required();
   view->add_option("-o,--output", arguments->output, "FILE.html")->required();
   add_camera_options(*view, arguments->camera);
-  view->footer(R"(One file, without network: turn and zoom with the mouse, click for governors, radius
+  view->footer(
+      R"(One file, without network: turn and zoom with the mouse, click for governors, radius
 and angle. The slider for theta needs a result with all angles: blum medial --angles.
 
 Examples:

@@ -55,7 +55,8 @@ Colour colour_of(double t) {
   Colour c;
   for (int i = 0; i < 3; ++i) {
     const double low = stops[k][i], high = stops[k + 1][i];
-    c[i] = static_cast<std::uint8_t>(std::lround(low + (x - static_cast<double>(k)) * (high - low)));
+    c[i] =
+        static_cast<std::uint8_t>(std::lround(low + (x - static_cast<double>(k)) * (high - low)));
   }
   return c;
 }

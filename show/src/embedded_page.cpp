@@ -3,7 +3,8 @@
 // The file's bytes as they are; BLUM_PAGE_FILE is its full name (CMakeLists.txt).
 asm(".section .rodata\n"
     ".global blum_page_begin\n.global blum_page_end\n"
-    "blum_page_begin:\n.incbin \"" BLUM_PAGE_FILE "\"\nblum_page_end:\n.byte 0\n"
+    "blum_page_begin:\n.incbin \"" BLUM_PAGE_FILE
+    "\"\nblum_page_end:\n.byte 0\n"
     ".text\n");
 
 extern "C" const char blum_page_begin[], blum_page_end[];

@@ -142,8 +142,8 @@ class Page {
 
 std::optional<Error> write_page(const Scene& scene, const Camera& camera,
                                 const std::filesystem::path& file) {
-  const detail::OutputFile output = {
-      file, [&](OutputStream& out) { Page(scene, camera).write(out); }};
+  const detail::OutputFile output = {file,
+                                     [&](OutputStream& out) { Page(scene, camera).write(out); }};
   return detail::write_files(std::span(&output, 1));
 }
 

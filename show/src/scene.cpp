@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -43,6 +44,16 @@ std::vector<Index> indices(const VtpArray& array, double end, const char* name) 
   return list;
 }
 
+/// A whole number that fits.
+template <class Int>
+Int whole(double value, const char* name) {
+  if (!(value >= static_cast<double>(std::numeric_limits<Int>::min()) &&
+        value <= static_cast<double>(std::numeric_limits<Int>::max()))) {
+    throw Malformed{std::string(name) + ": a number out of range"};
+  }
+  return static_cast<Int>(value);
+}
+
 template <std::size_t N, class T>
 std::vector<std::array<T, N>> tuples(const std::vector<T>& list) {
   std::vector<std::array<T, N>> result(list.size() / N);
@@ -65,8 +76,7 @@ std::vector<std::array<std::uint32_t, 2>> visible_edges(const Scene& scene) {
   std::vector<std::array<std::uint32_t, 2>> visible;
   for (const auto& t : scene.model_triangle) {
     const Point3& a = scene.model_point[t[0]];
-    const Point3 n =
-        cross(minus(scene.model_point[t[1]], a), minus(scene.model_point[t[2]], a));
+    const Point3 n = cross(minus(scene.model_point[t[1]], a), minus(scene.model_point[t[2]], a));
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = t[k], v = t[(k + 1) % 3];
       const std::array<std::uint32_t, 2> edge{std::min(u, v), std::max(u, v)};
@@ -94,7 +104,7 @@ void read_model(const VtpFile& file, Scene& scene) {
   if (const VtpArray* counts = find(file.field_data, "site_counts", 1);
       counts != nullptr && counts->value.size() == 3) {
     for (int k = 0; k < 3; ++k) {
-      scene.site_counts[k] = static_cast<std::uint32_t>(counts->value[k]);
+      scene.site_counts[k] = whole<std::uint32_t>(counts->value[k], "site_counts");
     }
     if (scene.site_counts != std::array{static_cast<std::uint32_t>(scene.model_point.size()),
                                         static_cast<std::uint32_t>(scene.model_edge.size()),
@@ -105,8 +115,8 @@ void read_model(const VtpFile& file, Scene& scene) {
 }
 
 void read_governors(const VtpFile& file, Scene& scene) {
-  const double sites = static_cast<double>(scene.site_counts[0]) + scene.site_counts[1] +
-                       scene.site_counts[2];
+  const double sites =
+      static_cast<double>(scene.site_counts[0]) + scene.site_counts[1] + scene.site_counts[2];
   const VtpArray* begin = find(file.field_data, "governor_offset", 1);
   const VtpArray* governor = find(file.field_data, "governor", 1);
   if (begin != nullptr && governor != nullptr) {
@@ -166,14 +176,16 @@ void read_axis(const VtpFile& file, Scene& scene) {
   }
   const VtpArray* seam = find(file.cell_data, "seam", 1);
   for (std::size_t i = 0; i < file.line.size(); ++i) {
-    scene.line_seam.push_back(seam != nullptr ? static_cast<std::int32_t>(seam->value[i]) : -1);
+    scene.line_seam.push_back(seam != nullptr ? whole<std::int32_t>(seam->value[i], "seam") : -1);
   }
-  constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
+  // Every edge is a line or a triangle's: numbers beyond are no edges' (and would take memory).
+  const double edges =
+      3.0 * static_cast<double>(file.triangle.size()) + static_cast<double>(file.line.size());
   const VtpArray* line_edge = find(file.field_data, "line_edge", 1);
   const VtpArray* triangle_edge = find(file.field_data, "triangle_edge", 3);
   if (line_edge != nullptr && triangle_edge != nullptr) {
-    scene.line_edge = indices<std::uint32_t>(*line_edge, kAny, "line_edge");
-    scene.triangle_edge = tuples<3>(indices<std::uint32_t>(*triangle_edge, kAny, "triangle_edge"));
+    scene.line_edge = indices<std::uint32_t>(*line_edge, edges, "line_edge");
+    scene.triangle_edge = tuples<3>(indices<std::uint32_t>(*triangle_edge, edges, "triangle_edge"));
     if (scene.line_edge.size() != file.line.size() ||
         scene.triangle_edge.size() != file.triangle.size()) {
       throw Malformed{"line_edge and triangle_edge are not of all cells"};
@@ -190,9 +202,11 @@ void read_axis(const VtpFile& file, Scene& scene) {
   }
 }
 
+/// Six digits are enough for people.
 std::string shortest(double value) {
-  std::string text = Json(value).dump();
-  return text.size() > 2 && text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
 }
 
 /// What the file itself says, for people.
@@ -236,7 +250,7 @@ void add_summary(const VtpFile& file, const fs::path& path, Scene& scene) {
   number("seams", "seams");
   number("junctions", "junctions");
   number("clusters", "clusters");
-  number("hausdorff_bound", "distance to the axis at most");
+  number("hausdorff_bound", "Hausdorff bound");
 }
 
 fs::path with_suffix(const fs::path& prefix, const char* suffix) {

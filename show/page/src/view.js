@@ -25,11 +25,15 @@ function boxLines(boxes) {
   return list;
 }
 
+// Colours are shown as the tables say, and mixed as they are.
+THREE.ColorManagement.enabled = false;
+
 export class View {
   constructor(element, data) {
     this.data = data;
     this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setClearColor(0xffffff);
     this.renderer.localClippingEnabled = true;
     element.append(this.renderer.domElement);
@@ -49,12 +53,13 @@ export class View {
     this.camera.position.set(Math.cos(elevation) * Math.cos(azimuth),
                              Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));
     this.camera.position.multiplyScalar(size * 2.1).add(centre);
-    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 1.3));
-    const lamp = new THREE.DirectionalLight(0xffffff, 1.9);
+    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 0.5 * Math.PI));
+    const lamp = new THREE.DirectionalLight(0xffffff, 0.5 * Math.PI);
     lamp.position.set(-0.3, 0.5, 1); // beside the camera, wherever that goes
     this.camera.add(lamp);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.target.copy(centre);
+    this.controls.update();
     this.controls.addEventListener('change', () => this.redraw());
     this.plane = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 0);
     this.materials = [];

@@ -33,8 +33,8 @@ struct Scene {
 
   /// Of medial axes with angles: up to which angle a cell stays (the filtration); empty without.
   std::vector<double> triangle_theta, line_theta;
-  /// Edges of the complex, by which the sheets of a part of it are counted; empty where the file has
-  /// none. Two edges may have the same ends.
+  /// Edges of the complex, by which the sheets of a part of it are counted; empty where the file
+  /// has none. Two edges may have the same ends.
   std::vector<std::array<std::uint32_t, 3>> triangle_edge;
   std::vector<std::uint32_t> line_edge;
 

@@ -29,8 +29,8 @@ struct VtpFile {
 };
 
 /// Every array has been checked to have the length that its place asks for, every index to be one
-/// of a point. Errors: kFileNotFound, kFileUnreadable, kMalformedFile (also for files of others that
-/// use what is not read: ASCII, appended or compressed data, several pieces, other polygons).
+/// of a point. Errors: kFileNotFound, kFileUnreadable, kMalformedFile (also for files of others
+/// that use what is not read: ASCII, appended or compressed data, several pieces, other polygons).
 [[nodiscard]] Result<VtpFile> read_vtp(const std::filesystem::path& file);
 
 }  // namespace blum
