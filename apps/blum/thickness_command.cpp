@@ -161,6 +161,7 @@ Command add_thickness_command(CLI::App& app) {
   CLI::App* thickness = app.add_subcommand(
       "thickness", "Measure walls: the largest ball inside that touches at each sample of a face");
   const auto arguments = std::make_shared<ThicknessArguments>();
+  arguments->axis.epsilon = 0.05;
   add_axis_options(*thickness, arguments->axis);
   thickness
       ->add_option("--density", arguments->options.density,
@@ -182,7 +183,7 @@ Command add_thickness_command(CLI::App& app) {
       R"(Writes PREFIX.vtp (faces coloured by thickness: blum view, blum render, ParaView),
 PREFIX.ply (samples), PREFIX.csv and PREFIX.png (histogram by area). Every value comes with a
 certified bound of its error. Exit code 3 if the axis is not certified: then the values are right
-all the same, but some samples are told apart by their own angle.
+all the same, but of more samples the sheet is not known, and their own angle decides what counts.
 
 Examples:
   blum thickness part.stl

@@ -105,7 +105,7 @@ TEST_F(SceneTest, BytesChangedAtRandom_NeverCrash) {
   const std::string whole = text();
   std::mt19937 random(1);
   int refused = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 400; ++i) {
     std::string broken = whole;
     for (int k = 0; k < 3; ++k)
       broken[random() % broken.size()] = static_cast<char>(random() % 128);
@@ -114,7 +114,7 @@ TEST_F(SceneTest, BytesChangedAtRandom_NeverCrash) {
     if (!read) ++refused;
     if (read) (void)visible_cells(read.value(), 60);
   }
-  EXPECT_GT(refused, 100);
+  EXPECT_GT(refused, 25);
 }
 
 TEST_F(SceneTest, AbsentOrForeign_SaysSo) {

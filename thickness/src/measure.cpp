@@ -147,6 +147,15 @@ class Measurement {
     }
   }
 
+  [[nodiscard]] bool counts(const ThicknessSample& s) const {
+    const double theta = options_.theta_deg;
+    if (s.sheet < 0) return s.angle_deg >= theta;
+    const AngleInterval& angle = axis_.angles->sheet[static_cast<std::size_t>(s.sheet)];
+    if (angle.lo >= theta) return true;
+    // Where the interval does not decide, the ball itself is a point of the sheet.
+    return angle.hi >= theta && s.angle_deg >= theta;
+  }
+
   void measure(ThicknessSample& s) const {
     const TouchingBall ball =
         touching_ball(geometry_, tree_, s.triangle, s.position, partners_.of(s.triangle));
@@ -158,9 +167,7 @@ class Measurement {
     s.opposite = solid_.frame.to_model(ball.foot);
     s.angle_deg = ball.angle_deg;
     s.sheet = partners_.sheet(s.triangle, ball.site, solid_.frame.to_model(ball.centre));
-    const double angle =
-        s.sheet >= 0 ? axis_.angles->sheet[static_cast<std::size_t>(s.sheet)].hi : s.angle_deg;
-    s.counts = angle >= options_.theta_deg;
+    s.counts = counts(s);
   }
 
   const Solid& solid_;

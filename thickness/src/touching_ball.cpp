@@ -31,16 +31,15 @@ Touch touch_point(const Point3& q, const Point3& p, const Point3& n) {
   return {height > 0 ? dot(d, d) / (2 * height) : kInfinity, q};
 }
 
-/// The quotient's derivative vanishes at t with beta t^2 uu + 2 uu alpha t + 2 wu alpha - ww beta =
-/// 0, and alpha + beta t > 0; written so that beta may be 0.
+/// The quotient's derivative vanishes where (alpha + beta t)^2 = alpha^2 - beta f; of the two roots
+/// the one with the height alpha + beta t > 0 counts, in the form that does not cancel.
 Touch touch_segment(const Point3& a, const Point3& b, const Point3& p, const Point3& n) {
   const Point3 u = minus(b, a), w = minus(a, p);
   const double uu = dot(u, u), wu = dot(w, u), ww = dot(w, w);
   const double alpha = dot(n, w), beta = dot(n, u);
   const double f = (2 * wu * alpha - ww * beta) / uu;
-  const double sum = alpha + std::sqrt(std::max(0.0, alpha * alpha - beta * f));
-  double t = -alpha / beta;  // where the height is 0: the least lies beyond, towards the higher end
-  if (sum > 0) t = -f / sum;
+  const double height = std::sqrt(std::max(0.0, alpha * alpha - beta * f));
+  double t = alpha >= 0 ? -f / (alpha + height) : (height - alpha) / beta;
   if (!std::isfinite(t)) t = 0;
   Touch best = touch_point(along(a, std::clamp(t, 0.0, 1.0), u), p, n);
   for (const Point3& end : {a, b}) {

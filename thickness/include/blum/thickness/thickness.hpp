@@ -31,7 +31,9 @@ struct ThicknessSample {
   Point3 opposite;          ///< where the ball also touches
   double angle_deg = 0;     ///< between the two feet, seen from the ball's centre
   std::int32_t sheet = -1;  ///< of the medial axis, with the centre; -1: inside a leaf, not told
-  bool counts = false;      ///< that sheet's angle (its upper bound) is theta or more
+  /// The sheet's angle is theta or more. Where its interval has theta inside, and where there is no
+  /// sheet, angle_deg decides.
+  bool counts = false;
 };
 
 /// One sample in each of k^2 equal parts of each triangle, k as the density asks, 1 at least.
@@ -40,7 +42,7 @@ struct Thickness {
   /// The parts, as a surface: three corners for each sample.
   std::vector<Point3> point;
   std::vector<std::array<std::uint32_t, 3>> part;
-  std::size_t unknown_sheets = 0;  ///< samples with sheet == -1: their own angle decides
+  std::size_t unknown_sheets = 0;  ///< samples with sheet == -1
   double largest_error = 0;
 };
 

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Makes the PNG pictures of README and docs: docs/pictures/make_renders.py [NAME...]
+
+Runs build/release/bin/blum (or $BLUM_TOOL) on models of ../shared/models and of `blum make`; all pictures, or
+those whose names begin with one of the given ones. The growth plot needs gnuplot (gnuplot-nox). Minutes.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+TOOL = os.environ.get("BLUM_TOOL", ROOT / "build/release/bin/blum")
+MODELS = ROOT.parent / "shared" / "models"
+SMALL = ["--width", "800", "--height", "600"]
+TORUS = ["--colour", "radius", "--elevation", "55", "--no-model", "--zoom", "1.3", "--no-legend"]
+
+# name: model (a file, or arguments of `blum make`), command with options, options of `blum render`.
+RENDERS = {
+    "plate": ("plate 2 6", "medial --angles --epsilon 0.02", []),
+    "theta_0": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "0"]),
+    "theta_60": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "60"]),
+    "theta_150": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "150"]),
+    "hma": ("torus 16 8", "medial --theta 80 --epsilon 0.04", TORUS),
+    "sma": ("torus 16 8", "medial --theta 80 --simplify sma --epsilon 0.04", TORUS),
+    "void": ("cray_left_void.off", "medial --angles --epsilon 0.1",
+             ["--theta", "90", "--section", "y:0.5", "--azimuth", "-100", "--elevation", "20"]),
+    "thickness": ("joint.off", "thickness --theta 100", []),
+    "midsurface": ("joint.off", "midsurface --epsilon 0.07", []),
+}
+GROWTH = [(6, 4), (8, 4), (10, 6), (12, 6), (16, 8), (20, 10), (24, 12)]
+
+
+def run(*command):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def model_file(model, folder):
+    if model.endswith(".off"):
+        return MODELS / model
+    path = folder / (model.replace(" ", "_") + ".off")
+    if not path.exists():
+        run(TOOL, "make", *model.split(), "-o", path)
+    return path
+
+
+def render(name, folder, results):
+    model, command, options = RENDERS[name]
+    prefix = results.get((model, command))
+    if prefix is None:
+        prefix = folder / f"result{len(results)}"
+        verb, *rest = command.split()
+        run(TOOL, verb, model_file(model, folder), *rest, "-o", prefix)
+        results[(model, command)] = prefix
+    run(TOOL, "render", f"{prefix}.vtp", "-o", HERE / f"{name}.png", *SMALL, *options)
+    if command.startswith("thickness"):
+        shutil.copy(f"{prefix}.png", HERE / "thickness_histogram.png")
+
+
+def growth(folder):
+    rows = []
+    for n, m in GROWTH:
+        model = model_file(f"torus {n} {m}", folder)
+        run(TOOL, "medial", model, "-o", folder / "t", "--threads", "1")
+        summary = json.loads((folder / "t.json").read_text())
+        rows.append((summary["sites"]["faces"], summary["time_s"]["total"]))
+    data = folder / "growth.dat"
+    data.write_text("".join(f"{faces} {seconds}\n" for faces, seconds in rows))
+    script = f"""set terminal pngcairo size 900,560 font 'sans,13'
+set output '{HERE / "growth.png"}'
+set logscale xy
+set grid
+set key left top
+set xlabel 'triangles of the torus'
+set ylabel 'seconds'
+set fit quiet logfile '/dev/null'
+f(x) = a + b * x
+fit f(x) '{data}' using (log10($1)):(log10($2)) via a, b
+plot '{data}' with points pointtype 7 pointsize 1.4 linecolor rgb '#21908d' \\
+  title 'blum medial, one thread', \\
+  10**a * x**b with lines linewidth 2 linecolor rgb '#440154' title sprintf('n^{{%.2f}}', b)
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def main():
+    wanted = sys.argv[1:] or [""]
+    results = {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for picture in [*RENDERS, "growth"]:
+            if not any(picture.startswith(start) for start in wanted):
+                continue
+            print(picture, flush=True)
+            growth(folder) if picture == "growth" else render(picture, folder, results)
+
+
+if __name__ == "__main__":
+    main()
