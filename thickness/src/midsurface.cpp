@@ -4,16 +4,13 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/medial/subcomplex.hpp"
+#include "corners.hpp"
 #include "vectors.hpp"
 
 namespace blum {
 namespace {
 
-std::array<std::uint32_t, 3> corners(const CellComplex& k, const ComplexTriangle& t) {
-  const auto& base = k.edge[t.edge[0]].vertex;
-  const auto& spoke = k.edge[t.edge[1]].vertex;
-  return {base[0], base[1], spoke[0] == base[0] || spoke[0] == base[1] ? spoke[1] : spoke[0]};
-}
+using detail::corners;
 
 std::vector<bool> chosen_sheets(const MedialResult& axis, const MidsurfaceOptions& options) {
   const CellComplex& k = axis.complex;

@@ -5,15 +5,14 @@
 #include <limits>
 
 #include "blum/kernel/site_tree.hpp"
+#include "corners.hpp"
 
 namespace blum::detail {
 namespace {
 
-std::array<Point3, 3> corners(const CellComplex& k, const ComplexTriangle& t) {
-  const auto& base = k.edge[t.edge[0]].vertex;
-  const auto& spoke = k.edge[t.edge[1]].vertex;
-  const std::uint32_t apex = spoke[0] == base[0] || spoke[0] == base[1] ? spoke[1] : spoke[0];
-  return {k.vertex[base[0]].position, k.vertex[base[1]].position, k.vertex[apex].position};
+std::array<Point3, 3> positions(const CellComplex& k, const ComplexTriangle& t) {
+  const auto [a, b, c] = corners(k, t);
+  return {k.vertex[a].position, k.vertex[b].position, k.vertex[c].position};
 }
 
 void make_set(std::vector<SiteId>& list) {
@@ -63,7 +62,7 @@ std::int32_t Partners::sheet(std::uint32_t face, SiteId site, const Point3& x) c
     const auto sheet = static_cast<std::int32_t>(axis_.parts.triangle_sheet[t]);
     if (sheet == nearest) continue;  // the usual case: one sheet for the two
     const CellComplex& k = axis_.complex;
-    const double d = squared_distance_to_triangle(x, corners(k, k.triangle[t])).hi;
+    const double d = squared_distance_to_triangle(x, positions(k, k.triangle[t])).hi;
     if (d < least) {
       least = d;
       nearest = sheet;
