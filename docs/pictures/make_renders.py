@@ -28,8 +28,8 @@ RENDERS = {
     "theta_150": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "150"]),
     "hma": ("torus 16 8", "medial --theta 80 --epsilon 0.04", TORUS),
     "sma": ("torus 16 8", "medial --theta 80 --simplify sma --epsilon 0.04", TORUS),
-    "void": ("cray_left_void.off", "medial --angles --epsilon 0.1",
-             ["--theta", "90", "--section", "y:0.5", "--azimuth", "-100", "--elevation", "20"]),
+    "void": ("derived_cube_sphere_void.off", "medial --angles --epsilon 0.08",
+             ["--theta", "90", "--section", "-y:0.5", "--azimuth", "-70", "--elevation", "22"]),
     "thickness": ("joint.off", "thickness --theta 100", []),
     "midsurface": ("joint.off", "midsurface --epsilon 0.07", []),
 }
