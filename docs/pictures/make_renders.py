@@ -8,6 +8,7 @@ those whose names begin with one of the given ones. The growth plot needs gnuplo
 import json
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -33,7 +34,7 @@ RENDERS = {
     "thickness": ("joint.off", "thickness --theta 100", []),
     "midsurface": ("joint.off", "midsurface --epsilon 0.07", []),
 }
-GROWTH = [(6, 4), (8, 4), (10, 6), (12, 6), (16, 8), (20, 10), (24, 12)]
+GROWTH = [(12, 6), (16, 8), (20, 10), (24, 12), (28, 14), (32, 16)]
 
 
 def run(*command):
@@ -69,18 +70,20 @@ def growth(folder):
     rows = []
     for n, m in GROWTH:
         model = model_file(f"torus {n} {m}", folder)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         run(TOOL, "medial", model, "-o", folder / "t", "--threads", "1")
+        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
         summary = json.loads((folder / "t.json").read_text())
-        rows.append((summary["sites"]["faces"], summary["time_s"]["total"]))
+        rows.append((sum(summary["sites"].values()), seconds))
     data = folder / "growth.dat"
-    data.write_text("".join(f"{faces} {seconds}\n" for faces, seconds in rows))
+    data.write_text("".join(f"{sites} {seconds}\n" for sites, seconds in rows))
     script = f"""set terminal pngcairo size 900,560 font 'sans,13'
 set output '{HERE / "growth.png"}'
 set logscale xy
 set grid
 set key left top
-set xlabel 'triangles of the torus'
-set ylabel 'seconds'
+set xlabel 'sites of the torus (faces, edges, vertices)'
+set ylabel 'seconds of CPU time'
 set fit quiet logfile '/dev/null'
 f(x) = a + b * x
 fit f(x) '{data}' using (log10($1)):(log10($2)) via a, b
