@@ -2,7 +2,7 @@
 """Makes the PNG pictures of README and docs: docs/pictures/make_renders.py [NAME...]
 
 Runs build/release/bin/blum (or $BLUM_TOOL) on models of ../shared/models and of `blum make`; all pictures, or
-those whose names begin with one of the given ones. The growth plot needs gnuplot (gnuplot-nox). Minutes.
+those whose names begin with one of the given ones. The growth plot needs gnuplot (gnuplot-nox), the page chromium. Minutes.
 """
 
 import json
@@ -53,17 +53,34 @@ def model_file(model, folder):
     return path
 
 
-def render(name, folder, results):
-    model, command, options = RENDERS[name]
+def result_of(model, command, folder, results):
+    """The prefix of a result, computed once."""
     prefix = results.get((model, command))
     if prefix is None:
         prefix = folder / f"result{len(results)}"
         verb, *rest = command.split()
         run(TOOL, verb, model_file(model, folder), *rest, "-o", prefix)
         results[(model, command)] = prefix
+    return prefix
+
+
+def render(name, folder, results):
+    model, command, options = RENDERS[name]
+    prefix = result_of(model, command, folder, results)
     run(TOOL, "render", f"{prefix}.vtp", "-o", HERE / f"{name}.png", *SMALL, *options)
     if command.startswith("thickness"):
         shutil.copy(f"{prefix}.png", HERE / "thickness_histogram.png")
+
+
+def page(folder, results):
+    """A page of `blum view`, as a browser shows it (needs chromium)."""
+    model, command, _ = RENDERS["theta_0"]
+    prefix = result_of(model, command, folder, results)
+    run(TOOL, "view", prefix, "-o", folder / "page.html")
+    run("chromium", "--headless", "--no-sandbox", "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader", "--hide-scrollbars", "--window-size=1100,760",
+        "--virtual-time-budget=8000", f"--screenshot={HERE / 'page.png'}",
+        (folder / "page.html").as_uri())
 
 
 def growth(folder):
@@ -99,11 +116,16 @@ def main():
     results = {}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for picture in [*RENDERS, "growth"]:
+        for picture in [*RENDERS, "page", "growth"]:
             if not any(picture.startswith(start) for start in wanted):
                 continue
             print(picture, flush=True)
-            growth(folder) if picture == "growth" else render(picture, folder, results)
+            if picture == "growth":
+                growth(folder)
+            elif picture == "page":
+                page(folder, results)
+            else:
+                render(picture, folder, results)
 
 
 if __name__ == "__main__":

@@ -108,6 +108,23 @@ class Page(ToolTest):
         self.assertLessEqual(float(facts["radius"]), max(radii) + 1e-4)
         self.assertFalse(seen["pickedBackground"])
 
+    def test_what_is_undecided(self):
+        self.expect(self.blum("make", "cuboid", "4", "3", "1", "-o", "box.off"), 0)
+        self.expect(self.blum("medial", "box.off", "-o", "box", "--max-cells", "1"), 3)
+        self.expect(self.blum("view", "box", "-o", "box.html"), 0)
+        seen = self.drive(self.folder / "box.html", 0)
+        self.assertEqual(seen["problems"], [])
+        self.assertIs(seen["changed"]["undecided"], True)
+
+    def test_thickness(self):
+        self.expect(self.blum("make", "cuboid", "4", "3", "1", "-o", "box.off"), 0)
+        self.expect(self.blum("thickness", "box.off", "--density", "5", "-o", "t"), 0)
+        self.expect(self.blum("view", "t.vtp", "-o", "t.html"), 0)
+        seen = self.drive(self.folder / "t.html", 0)
+        self.assertEqual(seen["problems"], [])
+        self.assertGreater(seen["first"]["colours"], 50)
+        self.assertGreater(float(seen["picked"]["facts"]["thickness"]), 0)
+
     def test_titles_are_text(self):
         self.expect(self.blum("make", "cuboid", "-o", "a.off"), 0)
         evil = "<img src=x onerror=alert(1)></script>.off".replace("/", "")

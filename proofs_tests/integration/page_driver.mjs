@@ -71,7 +71,9 @@ try {
 
   seen.changed = {};
   let before = await look();
-  for (const [name, id, value] of [['angle', 'colour', '1'], ['sheet', 'colour', '2'],
+  const undecided = await page.isVisible('#show-undecided-label');
+  for (const [name, id, value] of [...(undecided ? [['undecided', 'show-undecided', false]] : []),
+                                   ['angle', 'colour', '1'], ['sheet', 'colour', '2'],
                                    ['section', 'section-axis', 'x'], ['model', 'show-model', false],
                                    ['rims', 'show-rims', false], ['seams', 'show-seams', false],
                                    ['sheets', 'show-sheets', false]]) {
