@@ -25,5 +25,9 @@ inline const CLI::Validator kDigits(
 [[nodiscard]] Command add_voronoi_command(CLI::App& app);
 [[nodiscard]] Command add_verify_command(CLI::App& app);
 [[nodiscard]] Command add_certificate_command(CLI::App& app);
+[[nodiscard]] Command add_thickness_command(CLI::App& app);
+[[nodiscard]] Command add_midsurface_command(CLI::App& app);
+[[nodiscard]] Command add_view_command(CLI::App& app);
+[[nodiscard]] Command add_render_command(CLI::App& app);
 
 }  // namespace blum::app

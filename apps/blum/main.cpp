@@ -19,6 +19,9 @@ constexpr const char* kFooter = R"(Examples:
   blum medial plate.off --certificate plate.cert
   blum verify plate.off plate.cert        check it, independently
   blum certificate plate.cert             say what it says
+  blum medial plate.off --angles && blum view plate -o plate.html    look at it in a browser
+  blum render plate -o plate.png          or as a picture
+  blum thickness plate.off                how thick are the walls? where are they thinnest?
 
 Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
 4 false (verify), 5 output could not be written, 70 internal error, 130 and 143 interrupted.)";
@@ -32,7 +35,9 @@ int run(int argc, char** argv) {
   const Command info = add_info_command(app), make = add_make_command(app),
                 medial = add_medial_command(app), field = add_field_command(app),
                 voronoi = add_voronoi_command(app), verify = add_verify_command(app),
-                certificate = add_certificate_command(app);
+                certificate = add_certificate_command(app),
+                thickness = add_thickness_command(app), midsurface = add_midsurface_command(app),
+                view = add_view_command(app), render = add_render_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -45,6 +50,10 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("voronoi")) return voronoi();
   if (app.got_subcommand("verify")) return verify();
   if (app.got_subcommand("certificate")) return certificate();
+  if (app.got_subcommand("thickness")) return thickness();
+  if (app.got_subcommand("midsurface")) return midsurface();
+  if (app.got_subcommand("view")) return view();
+  if (app.got_subcommand("render")) return render();
   return medial();
 }
 

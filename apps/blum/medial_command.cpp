@@ -178,6 +178,9 @@ int run_medial(MedialArguments arguments) {
   }
   if (!(arguments.options.time_limit_s >= 0)) return report_usage("--time-limit: not a time");
   if (arguments.prefix.empty()) arguments.prefix = fs::path(arguments.model).stem().string();
+  if (arguments.summary.empty() && arguments.graph != arguments.prefix + ".json") {
+    arguments.summary = arguments.prefix + ".json";
+  }
   std::vector<fs::path> files = outputs(arguments);
   files.emplace_back(arguments.prefix + kUndecidedSuffix);
   if (const auto problem = conflict(arguments.model, files)) return report_usage(*problem);
@@ -307,7 +310,7 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
   medial->add_option("MODEL", arguments->model, "OFF, OBJ, STL or PLY")->required();
   medial->add_option("-o,--output", arguments->prefix,
                      "PREFIX of the files written (default: the model's name, here)");
-  medial->add_option("--summary", arguments->summary, "Write the summary as JSON to this file");
+  medial->add_option("--summary", arguments->summary, "File of the summary, as JSON (default: PREFIX.json)");
   medial->add_option("--seed", options.seed, "Seed of the cutting planes")
       ->check(kDigits)
       ->capture_default_str();

@@ -9,32 +9,10 @@
 #include <vector>
 
 #include "blum/kernel/output_files.hpp"
+#include "blum/show/colours.hpp"
 
 namespace blum::app {
 namespace {
-
-using Colour = std::array<std::uint8_t, 3>;
-
-/// Every eighth of matplotlib's viridis (CC0), linear between.
-Colour viridis(double t) {
-  static constexpr std::array<std::array<double, 3>, 9> kStops = {{{68, 1, 84},
-                                                                   {71, 44, 122},
-                                                                   {59, 81, 139},
-                                                                   {44, 113, 142},
-                                                                   {33, 144, 141},
-                                                                   {39, 173, 129},
-                                                                   {92, 200, 99},
-                                                                   {170, 220, 50},
-                                                                   {253, 231, 37}}};
-  const double x = std::clamp(t, 0.0, 1.0) * (kStops.size() - 1);
-  const auto k = std::min(static_cast<std::size_t>(x), kStops.size() - 2);
-  Colour c;
-  for (int i = 0; i < 3; ++i) {
-    c[i] = static_cast<std::uint8_t>(std::lround(
-        kStops[k][i] + (x - static_cast<double>(k)) * (kStops[k + 1][i] - kStops[k][i])));
-  }
-  return c;
-}
 
 class Slice {
  public:
@@ -84,7 +62,7 @@ class Slice {
                   (r + 1 < height() && distance(c, r + 1) >= 0))) {
       return {255, 255, 255};
     }
-    return viridis(largest > 0 ? std::abs(d) / largest : 0);
+    return colour_of(largest > 0 ? std::abs(d) / largest : 0);
   }
 
   const FieldImage& image_;

@@ -39,6 +39,7 @@ class VtpWriter {
     governors();
     solid();
     undecided();
+    edges();
     DataArray<std::uint8_t>(out_, "certified", 1).put(result_.certified ? 1 : 0);
     DataArray<std::uint64_t>(out_, "seed", 1).put(result_.seed);
   }
@@ -89,6 +90,18 @@ class VtpWriter {
     }
     DataArray<std::uint8_t> array(out_, "undecided_reason", result_.undecided.size());
     for (const UndecidedCell& cell : result_.undecided) array.put(cell.reason);
+  }
+
+  /// Edges are not told by their ends: two may have the same.
+  void edges() {
+    {
+      DataArray<std::uint32_t> array(out_, "line_edge", line_.size());
+      for (const std::uint32_t e : line_) array.put(e);
+    }
+    DataArray<std::uint32_t> array(out_, "triangle_edge", k_.triangle.size(), 3);
+    for (const ComplexTriangle& t : k_.triangle) {
+      for (const std::uint32_t e : t.edge) array.put(e);
+    }
   }
 
   void point_data() {

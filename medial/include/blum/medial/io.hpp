@@ -50,7 +50,9 @@ struct TextFile {
 ///              governor[governor_offset[i] .. governor_offset[i + 1]); site_counts (vertices,
 ///              edges, triangles): a site id counts through the three in this order; solid_points,
 ///              solid_edges, solid_triangles: the elements meant, in model units; certified (0/1),
-///              seed; undecided_box (lo, hi) and undecided_reason (UndecidedReason) per cell.
+///              seed; undecided_box (lo, hi) and undecided_reason (UndecidedReason) per cell;
+///              line_edge and triangle_edge: the edges of the complex that a line is and a triangle
+///              has (two may have the same ends; sheets are joined across those of two triangles).
 [[nodiscard]] std::optional<Error> write_vtp(const MedialResult& result, const Solid& solid,
                                              const std::filesystem::path& file);
 

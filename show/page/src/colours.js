@@ -1,0 +1,32 @@
+// Colours of numbers: the tables are the tool's, so that page and `blum render` agree.
+
+export class Colours {
+  constructor({ map, labels }) {
+    this.map = map;
+    this.labels = labels;
+  }
+  /// t in [0, 1] to three bytes.
+  of(t) {
+    const x = Math.min(Math.max(t, 0), 1) * (this.map.length - 1);
+    const k = Math.min(Math.floor(x), this.map.length - 2);
+    return this.map[k].map((c, i) => Math.round(c + (x - k) * (this.map[k + 1][i] - c)));
+  }
+  ofLabel(n) {
+    return n < 0 ? [128, 128, 128] : this.labels[n % this.labels.length];
+  }
+  gradient() {
+    return `linear-gradient(to right, ${this.map.map((c) => `rgb(${c})`).join(', ')})`;
+  }
+}
+
+/// Range of the values of a field that are numbers; angles always 0 to 180.
+export function rangeOf(field, values) {
+  if (field.name === 'angle') return [0, 180];
+  let least = Infinity;
+  let most = -Infinity;
+  for (const v of values) {
+    if (v < least) least = v;
+    if (v > most) most = v;
+  }
+  return least <= most ? [least, most] : [0, 1];
+}

@@ -1,0 +1,101 @@
+#include "projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace blum::detail {
+namespace {
+
+constexpr double kEyeDistance = 2.1;  // diagonals of the box: all of it is before the eye
+constexpr double kFilled = 0.88;      // of the picture's width or height
+
+Point3 plus(const Point3& a, const Point3& b, double t) {
+  return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
+}
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 cross(const Point3& a, const Point3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Point3 unit(const Point3& a) {
+  const double length = std::sqrt(dot(a, a));
+  return length > 0 ? Point3{a.x / length, a.y / length, a.z / length} : a;
+}
+
+}  // namespace
+
+Projection::Projection(const Scene& scene, const RenderOptions& options)
+    : section_(options.section) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  box_ = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const auto take = [this](const Point3& p) {
+    for (int k = 0; k < 3; ++k) {
+      box_.lo[k] = std::min(box_.lo[k], p[k]);
+      box_.hi[k] = std::max(box_.hi[k], p[k]);
+    }
+  };
+  for (const Point3& p : scene.point) take(p);
+  for (const Point3& p : scene.model_point) take(p);
+  for (const auto& corners : scene.undecided) std::ranges::for_each(corners, take);
+
+  const Point3 extent = plus(box_.hi, box_.lo, -1);
+  size_ = std::sqrt(dot(extent, extent));
+  if (!(size_ > 0)) size_ = 1;
+  const Point3 centre = plus(box_.lo, extent, 0.5);
+  const double a = options.camera.azimuth_deg * M_PI / 180,
+               e = options.camera.elevation_deg * M_PI / 180;
+  const Point3 back = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+  eye_ = plus(centre, back, kEyeDistance * size_);
+  forward_ = {-back.x, -back.y, -back.z};
+  right_ = {-std::sin(a), std::cos(a), 0};
+  up_ = cross(right_, forward_);
+  lamp_ = unit(plus(plus(back, right_, -0.3), up_, 0.5));
+  fit(options);
+}
+
+void Projection::fit(const RenderOptions& options) {
+  scale_ = 1;
+  cx_ = cy_ = 0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity;
+  for (int m = 0; m < 8; ++m) {
+    const RasterVertex v = (*this)({m & 1 ? box_.hi.x : box_.lo.x, m & 2 ? box_.hi.y : box_.lo.y,
+                                    m & 4 ? box_.hi.z : box_.lo.z});
+    left = std::min(left, v.x);
+    right = std::max(right, v.x);
+    top = std::min(top, v.y);
+    bottom = std::max(bottom, v.y);
+  }
+  const double wide = std::max(right - left, 1e-9), high = std::max(bottom - top, 1e-9);
+  scale_ = options.zoom * std::min(kFilled * options.width / wide, kFilled * options.height / high);
+  cx_ = options.width / 2.0 - scale_ * (left + right) / 2;
+  cy_ = options.height / 2.0 - scale_ * (top + bottom) / 2;
+}
+
+RasterVertex Projection::operator()(const Point3& p) const {
+  const Point3 d = plus(p, eye_, -1);
+  RasterVertex v;
+  v.inverse_depth = 1 / dot(d, forward_);
+  v.x = cx_ + scale_ * dot(d, right_) * v.inverse_depth;
+  v.y = cy_ - scale_ * dot(d, up_) * v.inverse_depth;
+  if (section_) {
+    const int k = section_->axis;
+    const double level = box_.lo[k] + section_->at * (box_.hi[k] - box_.lo[k]);
+    v.clip = section_->flip ? p[k] - level : level - p[k];
+  }
+  return v;
+}
+
+double Projection::light(const Point3& a, const Point3& b, const Point3& c) const {
+  const Point3 n = unit(cross(plus(b, a, -1), plus(c, a, -1)));
+  return 0.5 + 0.5 * std::abs(dot(n, lamp_));
+}
+
+RasterVertex Projection::nearer(RasterVertex v) const {
+  const double depth = 1 / v.inverse_depth;
+  v.inverse_depth = 1 / (depth - 0.002 * size_);
+  return v;
+}
+
+}  // namespace blum::detail
