@@ -229,7 +229,7 @@ bool FaceEngine::accept_vertex_link(const Box& box, std::span<const LocalForm> f
   };
   for (const LocalForm& f : forms)
     if (!shows(f.site) && !misses(f)) return false;
-  record(border.circle[0], forms, sites, box, ties_of(border.circle[0]));
+  record(border.circle[0], forms, sites, box);
   return true;
 }
 

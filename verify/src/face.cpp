@@ -382,7 +382,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const std::vector<Circle> border = circles(box, loop);
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
-  require(claim.type != Claim::Type::kExact, "face: a part that only exact algebra decides");
+  require(claim.type != Claim::Type::kNotShown,
+          "face: a part that only exact algebra or Theorem S decides");
   require(std::ranges::includes(candidates_, claim.sites),
           "face: a part names a site that is no candidate");
   part.sites = claim.sites;

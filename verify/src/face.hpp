@@ -18,7 +18,7 @@ struct Claim {
     kStar,   ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
     kCone,   ///< Theorem G about `vertex`
     kRim,    ///< a rim inside the solid, of two edges at `vertex`
-    kExact,  ///< exact algebra, which this checker has not: it cannot show such a part
+    kNotShown,  ///< exact algebra or Theorem S, which this checker has not
   };
   Type type = Type::kStar;
   bool by_feet = false;
