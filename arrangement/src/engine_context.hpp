@@ -27,6 +27,7 @@ struct EngineContext {
   bool part_clusters = false;
   /// Decide without fans (fan.hpp), by conditions that hold at corners: for certificates.
   bool plain = false;
+  bool slices_first = false;  ///< ProductionEngine::prefer_slices
   std::vector<PartRecord>* parts = nullptr;  ///< where the face in work is written down, or null
   /// Set from outside to give up: running work then answers kUndecided soon.
   const std::atomic<bool>* stop = nullptr;

@@ -21,6 +21,25 @@ bool come_in_twos(std::span<const std::uint32_t> run) {
   return std::ranges::all_of(count, [](const auto& c) { return c.second == 2; });
 }
 
+/// A number for the region of each interval: end k lies before interval k, and an arc joins the two
+/// ends between the same groups.
+std::vector<std::uint32_t> regions_beside(std::span<const std::uint32_t> run) {
+  const auto n = static_cast<std::uint32_t>(run.size());
+  UnionFind region;
+  region.resize(n);
+  std::map<GroupPair, std::uint32_t> first;
+  for (std::uint32_t k = 0; n > 1 && k < n; ++k) {
+    const auto before = [n](std::uint32_t i) { return (i + n - 1) % n; };
+    const auto [it, fresh] = first.try_emplace(ordered(run[before(k)], run[k]), k);
+    if (fresh) continue;
+    region.unite(it->second, before(k));
+    region.unite(before(it->second), k);
+  }
+  std::vector<std::uint32_t> r;
+  for (std::uint32_t k = 0; k < n; ++k) r.push_back(region.find(k));
+  return r;
+}
+
 bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a, std::uint32_t b) {
   for (std::size_t c = 0; c < ties.size(); ++c)
     if (ties[a][c] && ties[b][c]) return true;
@@ -29,7 +48,7 @@ bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a
 
 }  // namespace
 
-bool FaceEngine::accept_chords(const Border& border,
+bool FaceEngine::accept_chords(const Box& box, const Border& border,
                                std::span<const std::vector<std::uint32_t>> runs,
                                std::span<const LocalForm> forms, const Groups& groups,
                                const Groups& feet, const Range& range) {
@@ -70,32 +89,23 @@ bool FaceEngine::accept_chords(const Border& border,
     if (!d) return false;
     between.push_back({forms[gains[0].i].site, forms[gains[0].j].site, in_plane(*d)});
   }
+  std::vector<std::vector<std::uint32_t>> regions;
+  for (const auto& run : runs) {
+    regions.push_back(regions_beside(run));
+    // Chords that cross: then something above is not as thought.
+    if (run.size() > 1 && std::ranges::any_of(trees_of(regions.back()), [](const auto& tree) {
+          return tree.second.size() != 2;
+        }))
+      return false;
+  }
   for (std::size_t c = 0; c < runs.size(); ++c)
-    record_chords(border.circle[c], runs[c], forms, feet);
+    record(border.circle[c], forms, feet, box, regions[c]);
   if (context_.parts != nullptr) {
     note(&groups == &feet ? PartRecord::Kind::kFeetChords : PartRecord::Kind::kChords, forms);
     context_.parts->back().between = std::move(between);
     context_.parts->back().parted = std::move(parted);
   }
   return true;
-}
-
-void FaceEngine::record_chords(const Circle& circle, std::span<const std::uint32_t> run,
-                               std::span<const LocalForm> forms, const Groups& feet) {
-  const Sequence s = label_circle(circle, forms, feet);
-  const std::size_t n = s.run.size();
-  std::map<GroupPair, std::size_t> first;  // end[k] lies between run[k - 1] and run[k]
-  for (std::size_t k = 0; n > 1 && k < n; ++k) {
-    const std::size_t before = (k + n - 1) % n;
-    const auto [it, fresh] = first.try_emplace(ordered(run[before], run[k]), k);
-    if (fresh) continue;
-    const std::size_t other = it->second, other_before = (other + n - 1) % n;
-    const auto &from = s.end[other], &to = s.end[k];
-    add_arc(from.node, to.node, from.below, from.above,
-            {s.run[other].element, s.run[other_before].element});
-    region_.unite(s.run[other].element, s.run[before].element);
-    region_.unite(s.run[other_before].element, s.run[k].element);
-  }
 }
 
 }  // namespace blum

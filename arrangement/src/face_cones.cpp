@@ -231,7 +231,7 @@ bool FaceEngine::accept_vertex_link(const Box& box, std::span<const LocalForm> f
     if (!shows(f.site) && !misses(f)) return false;
   if (ties_of(border.circle[0]) > 3 && !may_be_cluster(box, forms, sites, border.circle[0]))
     return false;
-  record(border.circle[0], forms, sites, box, ties_of(border.circle[0]));
+  record(border.circle[0], forms, sites, box);
   return true;
 }
 

@@ -17,6 +17,8 @@ constexpr int kStuck = 44;
 /// of its candidates.
 constexpr int kPatience = 4;
 constexpr std::size_t kMaxStuck = 512;
+/// Most parts that bounds decide at all are decided before they lost no candidate so often.
+constexpr int kHardened = 6;
 constexpr std::uint32_t kMaxExactParts = 64;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
@@ -162,16 +164,17 @@ FaceEngine::Border FaceEngine::border_of(const Box& box) {
     bool interval = false;
     const Piece1* piece = nullptr;
     const Break* brk = nullptr;
+    std::uint8_t side = 0;
   };
   std::vector<Item> item;
-  for (const int s : {kLowV, kHighU, kHighV, kLowU}) {
+  for (const std::uint8_t s : {kLowV, kHighU, kHighV, kLowU}) {
     const Line& line = box.side[s];
     const bool forward = s == kLowV || s == kHighU;
     const auto n = line.piece.size();
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = forward ? k : n - 1 - k;
       if (k > 0) item.push_back({false, nullptr, &line.brk[forward ? i - 1 : i]});
-      item.push_back({true, &line.piece[i], nullptr});
+      item.push_back({true, &line.piece[i], nullptr, s});
     }
   }
   const std::size_t n = item.size();
@@ -225,7 +228,8 @@ FaceEngine::Border FaceEngine::border_of(const Box& box) {
       if (item[i].interval) {
         BLUM_CHECK(item[i].piece->inside && !done[i]);
         done[i] = true;
-        circle.push_back({Step::Kind::kInterval, item[i].piece->element, item[i].piece->witness});
+        circle.push_back(
+            {Step::Kind::kInterval, item[i].piece->element, item[i].piece->witness, item[i].side});
       } else if (item[i].brk->point.kind == Breakpoint::Kind::kTie) {
         circle.push_back({Step::Kind::kTie, item[i].brk->id, {}});
       } else {
@@ -397,72 +401,6 @@ PlaneDirection FaceEngine::in_plane(const Direction& d) const {
   return w;
 }
 
-FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
-                                              std::span<const LocalForm> forms,
-                                              const Groups& feet) {
-  // Rotate so that the walk starts just after a separator, if there is one.
-  const std::size_t n = circle.size();
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (separates(circle[i])) start = i;
-  Sequence r;
-  std::vector<SiteId> labels;
-  std::uint32_t run = Breakpoint::kNone;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (separates(s)) {
-      run = Breakpoint::kNone;
-      const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
-      const auto& g = nodes_[node].node.governors;
-      r.end.push_back({node, g.front(), g.back()});
-      continue;
-    }
-    const auto element = s.kind == Step::Kind::kInterval ? s.id : trace_element(s.id);
-    if (run == Breakpoint::kNone) {
-      run = element;
-      r.run.push_back({element, s.label});
-      // Feet are continuous in a region, so its governors share feet, one with the next.
-      labels.clear();
-      const auto group = feet.find(forms, s.label);
-      for (std::size_t i = 0; i < forms.size(); ++i)
-        if (feet.of[i] == group) labels.push_back(forms[i].site);
-      label_element(element, labels);
-    }
-    region_.unite(run, element);
-    component_.unite(r.run.front().element, element);
-  }
-  for (const Sequence::End& e : r.end) nodes_[e.node].element = r.run.front().element;
-  return r;
-}
-
-void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
-                        const Box& box, std::uint32_t count, bool rim) {
-  const Sequence s = label_circle(circle, forms, feet);
-  if (count == 2 && !rim) {
-    add_arc(s.end[0].node, s.end[1].node, s.end[0].below, s.end[0].above,
-            {s.run[0].element, s.run[1].element});
-  } else if (count >= 3 || (rim && count > 0)) {
-    const auto center = new_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent, box);
-    nodes_[center].element = s.run.front().element;
-    for (std::size_t k = 0; k < s.end.size(); ++k)
-      add_arc(center, s.end[k].node, s.end[k].below, s.end[k].above,
-              {s.run[(k + count - 1) % count].element, s.run[k].element});
-    // Three groups: a tree with three ends has one branching point, a true event. More: a cluster.
-    FaceNode& node = nodes_[center].node;
-    node.exact = rim || count == 3;
-    context_.counts.clusters += !node.exact;
-    if (rim)
-      for (const LocalForm& f : forms) node.governors.push_back(f.site);
-    for (const Sequence::End& e : s.end) {
-      node.governors.push_back(e.below);
-      node.governors.push_back(e.above);
-    }
-    std::sort(node.governors.begin(), node.governors.end());
-    node.governors.erase(std::unique(node.governors.begin(), node.governors.end()),
-                         node.governors.end());
-  }
-}
-
 bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const Border& border) {
   if (!border.loop.empty()) return false;
   if (border.circle.empty()) {  // outside the solid
@@ -473,43 +411,16 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
   const std::size_t max_groups = box.stuck % kPatience == kPatience - 1 ? kMaxStuck : kMaxGroups;
   if (ties.cliques && ties.count > max_groups) return false;
   const Groups feet = Groups::by_feet(context_, forms, range_of(box));
+  if (context_.slices_first && !context_.voronoi() && accept_slice(box, forms, feet, border))
+    return true;
   if (ties.cliques && accept_star(box, forms, ties, feet, border)) return true;
   if (feet.cliques && feet.count <= max_groups && feet != ties &&
       accept_star(box, forms, feet, feet, border))
     return true;
   if (context_.voronoi())
     return accept_convex(box, forms, border) || accept_vertex_link(box, forms, ties, border);
-  return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border);
-}
-
-std::optional<std::vector<std::uint32_t>> FaceEngine::runs_of(const Circle& circle,
-                                                              std::span<const LocalForm> forms,
-                                                              const Groups& groups) {
-  const std::size_t n = circle.size();
-  std::size_t start = 0, separators = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (separates(circle[i])) {
-      start = i;
-      ++separators;
-    }
-  std::vector<std::uint32_t> run;
-  bool fresh = true;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (separates(s)) {
-      fresh = true;
-      continue;
-    }
-    const auto g = groups.find(forms, s.label);
-    BLUM_CHECK(g < groups.count);
-    if (fresh)
-      run.push_back(g);
-    else if (g != run.back())
-      return std::nullopt;  // separators lie between groups
-    fresh = false;
-  }
-  if (separators > 0 && (separators != run.size() || run.size() < 2)) return std::nullopt;
-  return run;
+  return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border) ||
+         (!context_.plain && box.stuck >= kHardened && accept_slice(box, forms, feet, border));
 }
 
 bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, const Groups& groups,
@@ -538,13 +449,12 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
     for (std::size_t c = 0; c < border.circle.size(); ++c)
-      record(border.circle[c], forms, feet, box,
-             runs[c].size() > 1 ? static_cast<std::uint32_t>(runs[c].size()) : 0);
+      record(border.circle[c], forms, feet, box);
     note(&groups == &feet ? PartRecord::Kind::kFeet : PartRecord::Kind::kStar, forms, groups,
          directions);
     return true;
   }
-  return accept_chords(border, runs, forms, groups, feet, range);
+  return accept_chords(box, border, runs, forms, groups, feet, range);
 }
 
 bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,

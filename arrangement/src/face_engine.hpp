@@ -52,8 +52,9 @@ class FaceEngine {
   /// One step along the border of a component of box ∩ O.
   struct Step {
     enum class Kind : std::uint8_t { kInterval, kTie, kTrace, kConvexEdge } kind;
-    std::uint32_t id = 0;  // element | node | triangle | boundary edge
-    SiteId label{};        // kInterval, kTrace
+    std::uint32_t id = 0;   // element | node | triangle | boundary edge
+    SiteId label{};         // kInterval, kTrace
+    std::uint8_t side = 0;  // kInterval
   };
   using Circle = std::vector<Step>;
   struct Border {
@@ -86,6 +87,19 @@ class FaceEngine {
   /// Theorem G: all sites meet in one vertex.
   [[nodiscard]] bool accept_cone(const Box& box, std::span<const LocalForm> forms,
                                  const Groups& feet, const Border& border);
+  /// Theorem S: all sites seen from a vertex.
+  [[nodiscard]] bool accept_slice(const Box& box, std::span<const LocalForm> forms,
+                                  const Groups& feet, const Border& border);
+  [[nodiscard]] bool flow_parts_all(std::uint32_t v, const Box& box,
+                                    std::span<const LocalForm> forms);
+  /// The region of each interval of a circle, where Theorem S holds; nullopt: undecided.
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> regions_in_slice(
+      const Circle& circle, std::span<const LocalForm> forms, const Groups& feet, std::uint32_t v,
+      const Box& box);
+  /// Does the flow of the site, seen from its corner v, enter the part all along that side?
+  [[nodiscard]] bool flows_in(SiteId site, std::uint32_t v, std::uint8_t side,
+                              const Box& box) const;
+  [[nodiscard]] static std::uint32_t ends_of(const Circle& circle);
   /// Voronoi: all regions are convex in the part, and all show on its border.
   [[nodiscard]] bool accept_convex(const Box& box, std::span<const LocalForm> forms,
                                    const Border& border);
@@ -103,7 +117,6 @@ class FaceEngine {
   [[nodiscard]] static bool each_shows_once(const Border& border);
   [[nodiscard]] Trouble find_corners_in_plane() const;
   [[nodiscard]] static bool wholly_inside(const Border& border);
-  [[nodiscard]] static std::uint32_t ties_of(const Circle& circle);
   /// May four or more ends meet in one node? Always, unless clusters are to be parted.
   [[nodiscard]] bool may_be_cluster(const Box& box, std::span<const LocalForm> forms,
                                     const Groups& groups, const Circle& circle);
@@ -149,13 +162,10 @@ class FaceEngine {
   [[nodiscard]] Sequence label_circle(const Circle& circle, std::span<const LocalForm> forms,
                                       const Groups& feet);
   /// Theorem D', chords: no three groups tie pairwise. `runs`: of each circle, by runs_of.
-  [[nodiscard]] bool accept_chords(const Border& border,
+  [[nodiscard]] bool accept_chords(const Box& box, const Border& border,
                                    std::span<const std::vector<std::uint32_t>> runs,
                                    std::span<const LocalForm> forms, const Groups& groups,
                                    const Groups& feet, const Range& range);
-  /// One arc for each two separators between the same groups.
-  void record_chords(const Circle& circle, std::span<const std::uint32_t> run,
-                     std::span<const LocalForm> forms, const Groups& feet);
   [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
                                                    std::span<const LocalForm> forms,
                                                    const Range& range);
@@ -165,8 +175,15 @@ class FaceEngine {
             std::array<std::uint32_t, 2> edge = {});
   void note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
             const Directions& directions);
+  /// A forest with a separator at each end parts the inside of a circle into regions: the ends of
+  /// each tree, from the regions of the intervals; interval k follows end k.
+  using Trees = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+  [[nodiscard]] static Trees trees_of(std::span<const std::uint32_t> region);
+  /// Records the graph of a component: a forest whose ends are the separators of its circle.
+  /// `region` numbers the region of each interval, in the order of runs_of; empty: all different,
+  /// so the forest is one tree. A rim: one tree with one more end inside.
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
-              const Box& box, std::uint32_t ties, bool rim = false);
+              const Box& box, std::span<const std::uint32_t> region = {}, bool rim = false);
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);
   [[nodiscard]] Trouble cut(const Line& line, double m, const Box& box, Line& low, Line& high,
                             bool& inside, SiteId& label);

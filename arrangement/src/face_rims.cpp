@@ -13,9 +13,8 @@
 
 namespace blum {
 
-std::uint32_t FaceEngine::ties_of(const Circle& circle) {
-  return static_cast<std::uint32_t>(std::count_if(
-      circle.begin(), circle.end(), [](const Step& s) { return s.kind == Step::Kind::kTie; }));
+std::uint32_t FaceEngine::ends_of(const Circle& circle) {
+  return static_cast<std::uint32_t>(std::count_if(circle.begin(), circle.end(), separates));
 }
 
 bool FaceEngine::wholly_inside(const Border& border) {
@@ -58,7 +57,7 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
 
       // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
       ++context_.counts.rims;
-      record(border.circle[0], forms, feet, box, ties_of(border.circle[0]), true);
+      record(border.circle[0], forms, feet, box, {}, true);
       note(PartRecord::Kind::kRim, forms, common, {edges[i], edges[j]});
       return true;
     }
@@ -132,7 +131,7 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
   const Range range = range_of(box);
   // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
   // where feet merge in v.
-  const std::uint32_t ties = ties_of(border.circle[0]);
+  const std::uint32_t ties = ends_of(border.circle[0]);
   if (!feet_stay_at(context_.geometry, *v, range)) return false;
   if (ties > 0 && may_be_foot(context_, *v, forms, range) &&
       meets_polar_cone(context_.geometry.solid(), *v,
@@ -149,7 +148,7 @@ bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, c
       return false;
   }
   context_.counts.rims += ties == 1;
-  record(border.circle[0], forms, feet, box, ties, ties == 1);
+  record(border.circle[0], forms, feet, box, {}, ties == 1);
   note(PartRecord::Kind::kCone, forms, *v);
   return true;
 }

@@ -58,6 +58,7 @@ struct Depth {
   double apart = 0;     ///< lower bound of |grad d_face - grad d_edge|
   double feet = 0;      ///< lower bound of the distance between the feet
   double farthest = 0;  ///< upper bound of the distance
+  bool behind = false;  ///< no foot on the edge lies in front: they do not tie
 };
 
 Depth depth_at_ties(EngineContext& context, const LocalForm& face, const LocalForm& edge,
@@ -76,8 +77,10 @@ Depth depth_at_ties(EngineContext& context, const LocalForm& face, const LocalFo
   // Depth is linear along the edge; feet of the range lie in a part of it.
   const Ball foot = dot(u, difference(range.center, solid.point[p])) + Ball(0.0, spread(u, range));
   const auto depth = [&](double t) { return at_p + (at_q - at_p) * divide(Ball(t), whole); };
-  const double least = std::min(depth(std::max(0.0, foot.low())).low(),
-                                depth(std::min(whole.high(), foot.high())).low());
+  const Ball first = depth(std::max(0.0, foot.low())),
+             last = depth(std::min(whole.high(), foot.high()));
+  r.behind = first.high() < 0 && last.high() < 0;
+  const double least = std::min(first.low(), last.low());
   if (!(least > 0)) return r;
   r.apart = std::sqrt(2 * least / r.farthest * kDown) * kDown;
   r.feet = std::sqrt(2 * least * std::max(0.0, distance.low()) * kDown) * kDown;
@@ -101,8 +104,7 @@ bool shorten(Fan& fan, std::size_t k, double step) {
   return true;
 }
 
-/// The point of the arc next to a direction, if that is not an end and at most a right angle from
-/// both.
+/// The point of the arc next to a direction, if that is not an end.
 std::optional<BallVector> middle_of(const Fan& fan, const BallVector& direction) {
   const BallVector normal = cross(fan.end[0], fan.end[1]);
   const Ball square = dot(normal, normal);
@@ -112,8 +114,7 @@ std::optional<BallVector> middle_of(const Fan& fan, const BallVector& direction)
   if (!(norm.low() > 0)) return std::nullopt;
   for (Ball& c : m) c = divide(c, root(norm));
   if (!(dot(cross(fan.end[0], m), normal).low() > 0 &&
-        dot(cross(m, fan.end[1]), normal).low() > 0 && dot(m, fan.end[0]).low() > 0 &&
-        dot(m, fan.end[1]).low() > 0))
+        dot(cross(m, fan.end[1]), normal).low() > 0))
     return std::nullopt;
   return m;
 }
@@ -134,6 +135,7 @@ bool reaches_ahead(const SiteGeometry& geometry, SiteId face, SiteId edge, const
 bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm& face,
           const LocalForm& edge, const Range& range) {
   const Depth depth = depth_at_ties(context, face, edge, range);
+  if (depth.behind) return false;
   if (!(depth.apart > 0)) return true;
   const BallVector& direction = of_face.end[0];
   const std::array<double, 2> near{apart_upper(fan.end[0], direction),
@@ -149,13 +151,16 @@ bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm&
   if (!middle) return true;
   const double off = apart_upper(*middle, direction);
   for (std::size_t k = 0; k < 2; ++k) {
-    // From the middle away from end k; ties beyond end k have the foot on the face behind by
-    // sin(angle) of the distance, at least 0.7 times the chord.
+    // From the middle away from end k; ties on that side have the foot on the face behind by the
+    // sine of an angle, which is the chord times the cosine of half the angle.
+    const Ball twice = Ball(1.0) + dot(fan.end[k], *middle);
+    if (!(twice.low() > 0)) continue;
+    const double share = std::sqrt(0.5 * twice.low()) * kDown;
     const BallVector w =
         combined(Ball(1.0), fan.end[1 - k], -dot(fan.end[1 - k], *middle), *middle);
     // Nothing is known of w if the face is almost orthogonal to the arc: then norm may reach zero.
     const Ball norm = root(dot(w, w));
-    const double least = 0.7 * depth.feet * kDown - 1.8 * off * depth.farthest * kUp;
+    const double least = share * depth.feet * kDown - (1 + share) * off * depth.farthest * kUp;
     if (!(least > 0 && norm.low() > 0)) continue;
     const double reach = least * norm.low() * kDown;
     if (!(reach > 0) || !reaches_ahead(context.geometry, face.site, edge.site, w, reach)) continue;
@@ -194,6 +199,22 @@ FanPair fans_at_ties(EngineContext& context, const LocalForm& a, const LocalForm
   if (b.kind == SiteKind::kFace && a.kind == SiteKind::kEdge)
     r.tie = trim(context, r.a, r.b, b, a, range);
   return r;
+}
+
+double fans_apart(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                  const Range& range) {
+  const Fan fa = fan_of(context.geometry, a.site), fb = fan_of(context.geometry, b.site);
+  if (fa.count == 0 || fb.count == 0) return 0;
+  if (fa.count == 1 && fb.count == 1) {
+    const BallVector& d = context.unit_difference(a.site, b.site);
+    return std::max(0.0, 0.5 * dot(d, d).low() * kDown);
+  }
+  double cosine = std::max(fb.high(fa.end[0]), fb.high(fa.end[fa.count == 2 ? 1 : 0]));
+  if (fa.count == 2 && cosine > 0) cosine *= fa.stretch * kUp;
+  double apart = 0;
+  if (fa.count == 1) apart = depth_at_ties(context, a, b, range).apart;
+  if (fb.count == 1) apart = depth_at_ties(context, b, a, range).apart;
+  return std::max({0.0, (1 - cosine) * kDown - 0x1p-50, 0.5 * apart * apart * kDown});
 }
 
 bool gains_by_fans(const FanPair& fans, const BallVector& w) {

@@ -33,6 +33,10 @@ struct FanPair {
 [[nodiscard]] FanPair fans_at_ties(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
+/// Lower bound of 1 - grad d_a . grad d_b wherever both govern; 0: nothing known.
+[[nodiscard]] double fans_apart(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                                const Range& range);
+
 /// Is (grad d_a - grad d_b) . w < 0 wherever they tie? False: undecided.
 [[nodiscard]] bool gains_by_fans(const FanPair& fans, const BallVector& w);
 /// The same for sites that share no foot in the range. Compares end by end, with precise

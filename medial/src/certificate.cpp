@@ -204,6 +204,9 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
       case Kind::kExact:
         j.push_back({"exact", sites(r.sites)});
         break;
+      case Kind::kSlice:
+        j.push_back({"slice", sites(r.sites), r.vertex});
+        break;
     }
   }
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};

@@ -18,6 +18,7 @@ struct Tally {
   int problems = 0, same = 0, both_bad = 0, production_gives_up = 0, brute_bad_only = 0,
       different = 0;
   int clusters = 0, rims = 0, events = 0, loops = 0, several_pieces = 0, skipped = 0, with_ties = 0;
+  int slices = 0;  // parts that production decided by Theorem S
   int rounded = 0, rounded_gives_up = 0;  // in solids whose facets are flat up to rounding only
   double production_s = 0, brute_s = 0;
   LabelSizes sizes;
@@ -44,8 +45,10 @@ inline double seconds() {
 
 inline constexpr std::size_t kMostCandidates = 22, kMostCurved = 8;  // for the oracle's patience
 
-/// Compares on one rectangle. `wide` gives production all candidates instead of the near ones.
-inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally) {
+/// Compares on one rectangle. `wide` gives production all candidates instead of the near ones;
+/// `slices`: by Theorem S wherever it may hold.
+inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally,
+                    bool slices = false) {
   const auto near = scene.near(r);
   if (near.size() > kMostCandidates || scene.curved(near) > kMostCurved) {
     ++tally.skipped;
@@ -58,6 +61,7 @@ inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally) 
   const FaceProblem fast{scene.solid.get(), r, wide ? all : near, triangles};
   double t = seconds();
   ProductionEngine engine = scene.engine();
+  if (slices) engine.prefer_slices();
   FaceDiagram p;
   try {
     p = engine.face(fast);
@@ -67,6 +71,7 @@ inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally) 
     return;
   }
   tally.production_s += seconds() - t;
+  tally.slices += static_cast<int>(engine.counts().slices);
   t = seconds();
   if (std::getenv("BLUM_TRACE2") != nullptr)
     std::cout << near.size() << " candidates: " << describe(scene, r) << std::endl;

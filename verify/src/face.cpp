@@ -379,7 +379,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
             {}};
   bool loop = false;
   const std::vector<Circle> border = circles(box, loop);
-  require(claim.type != Claim::Type::kExact, "face: a part that only exact algebra decides");
+  require(claim.type != Claim::Type::kNotShown,
+          "face: a part that only exact algebra or Theorem S decides");
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
   require(std::ranges::includes(candidates_, claim.sites),

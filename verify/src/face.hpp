@@ -15,11 +15,11 @@ struct Direction {
 /// What the certificate says of one part.
 struct Claim {
   enum class Type : std::uint8_t {
-    kStar,    ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
-    kChords,  ///< Theorem D', chords
-    kCone,    ///< Theorem G about `vertex`
-    kRim,     ///< a rim inside the solid, of two edges at `vertex`
-    kExact,   ///< exact algebra, which this checker has not: it cannot show such a part
+    kStar,      ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
+    kChords,    ///< Theorem D', chords
+    kCone,      ///< Theorem G about `vertex`
+    kRim,       ///< a rim inside the solid, of two edges at `vertex`
+    kNotShown,  ///< exact algebra or Theorem S, which this checker has not
   };
   Type type = Type::kStar;
   bool by_feet = false;

@@ -32,6 +32,7 @@ struct PartRecord {
     kCone,     ///< Theorem G about `vertex`
     kRim,      ///< the rim of two edges at `vertex`
     kExact,    ///< exact algebra
+    kSlice,    ///< Theorem S about `vertex`
   };
   Kind kind = Kind::kOutside;
   double cut = 0;

@@ -27,6 +27,7 @@ namespace blum {
 /// Counts of the work done, for benchmarks and tests.
 struct EngineCounts {
   std::uint64_t segments = 0, faces = 0, boxes = 0, clusters = 0, rims = 0;
+  std::uint64_t slices = 0;                            ///< parts by Theorem S (docs/proofs.md)
   std::uint64_t exact_parts = 0, exact_stretches = 0;  ///< decided by exact algebra
 };
 
@@ -74,6 +75,10 @@ class ProductionEngine final : public DiagramEngine {
   /// From now on, faces are decided without fans (docs/proofs.md) where that is possible: with more
   /// parts, for reasons that are easier to check.
   void prefer_plain_reasons();
+
+  /// From now on, Theorem S is tried first wherever it may hold, and not only where all else failed
+  /// for long: slower, for tests of it.
+  void prefer_slices();
 
   /// From now on, work in progress and to come answers kUndecided ("stopped") soon after *stop
   /// becomes true. The flag must outlive the engine; null: none.

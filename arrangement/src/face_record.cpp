@@ -1,0 +1,135 @@
+// What an accepted part adds to the diagram: labels of its regions, and arcs between its ends.
+#include <algorithm>
+#include <map>
+
+#include "blum/kernel/check.hpp"
+#include "face_engine.hpp"
+
+namespace blum {
+
+FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
+                                              std::span<const LocalForm> forms,
+                                              const Groups& feet) {
+  // Rotate so that the walk starts just after a separator, if there is one.
+  const std::size_t n = circle.size();
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (separates(circle[i])) start = i;
+  Sequence r;
+  std::vector<SiteId> labels;
+  std::uint32_t run = Breakpoint::kNone;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (separates(s)) {
+      run = Breakpoint::kNone;
+      const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
+      const auto& g = nodes_[node].node.governors;
+      r.end.push_back({node, g.front(), g.back()});
+      continue;
+    }
+    const auto element = s.kind == Step::Kind::kInterval ? s.id : trace_element(s.id);
+    if (run == Breakpoint::kNone) {
+      run = element;
+      r.run.push_back({element, s.label});
+      // Feet are continuous in a region, so its governors share feet, one with the next.
+      labels.clear();
+      const auto group = feet.find(forms, s.label);
+      for (std::size_t i = 0; i < forms.size(); ++i)
+        if (feet.of[i] == group) labels.push_back(forms[i].site);
+      label_element(element, labels);
+    }
+    region_.unite(run, element);
+    component_.unite(r.run.front().element, element);
+  }
+  for (const Sequence::End& e : r.end) nodes_[e.node].element = r.run.front().element;
+  return r;
+}
+
+std::optional<std::vector<std::uint32_t>> FaceEngine::runs_of(const Circle& circle,
+                                                              std::span<const LocalForm> forms,
+                                                              const Groups& groups) {
+  const std::size_t n = circle.size();
+  std::size_t start = 0, separators = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (separates(circle[i])) {
+      start = i;
+      ++separators;
+    }
+  std::vector<std::uint32_t> run;
+  bool fresh = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Step& s = circle[(start + k) % n];
+    if (separates(s)) {
+      fresh = true;
+      continue;
+    }
+    const auto g = groups.find(forms, s.label);
+    BLUM_CHECK(g < groups.count);
+    if (fresh)
+      run.push_back(g);
+    else if (g != run.back())
+      return std::nullopt;  // separators lie between groups
+    fresh = false;
+  }
+  if (separators > 0 && (separators != run.size() || run.size() < 2)) return std::nullopt;
+  return run;
+}
+
+FaceEngine::Trees FaceEngine::trees_of(std::span<const std::uint32_t> region) {
+  // The border of a region goes from the end after one of its intervals to the end before its next.
+  const auto n = static_cast<std::uint32_t>(region.size());
+  UnionFind tree;
+  tree.resize(n);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    std::uint32_t next = (k + 1) % n;
+    while (region[next] != region[k]) next = (next + 1) % n;
+    tree.unite((k + 1) % n, next);
+  }
+  Trees ends_of;
+  for (std::uint32_t k = 0; k < n; ++k) ends_of[tree.find(k)].push_back(k);
+  return ends_of;
+}
+
+void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
+                        const Box& box, std::span<const std::uint32_t> region, bool rim) {
+  const Sequence s = label_circle(circle, forms, feet);
+  const auto n = static_cast<std::uint32_t>(s.end.size());
+  if (n == 0) return;
+  std::vector<std::uint32_t> region_of(region.begin(), region.end());
+  if (region.empty())
+    for (std::uint32_t k = 0; k < n; ++k) region_of.push_back(k);
+  BLUM_CHECK(region_of.size() == n && s.run.size() == n);
+  for (std::uint32_t k = 0; k < n; ++k)
+    for (std::uint32_t j = 0; j < k; ++j)
+      if (region_of[j] == region_of[k]) region_.unite(s.run[j].element, s.run[k].element);
+  const auto beside = [&](std::uint32_t k) {
+    return std::array{s.run[(k + n - 1) % n].element, s.run[k].element};
+  };
+  for (const auto& [root, ends] : trees_of(region_of)) {
+    BLUM_CHECK(rim || ends.size() >= 2);
+    if (ends.size() == 2 && !rim) {
+      const auto &from = s.end[ends[0]], &to = s.end[ends[1]];
+      add_arc(from.node, to.node, from.below, from.above, beside(ends[0]));
+      continue;
+    }
+    const auto center = new_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent, box);
+    nodes_[center].element = s.run.front().element;
+    for (const auto k : ends)
+      add_arc(center, s.end[k].node, s.end[k].below, s.end[k].above, beside(k));
+    // A tree with three ends has one branching point, a true event. More: a cluster.
+    FaceNode& node = nodes_[center].node;
+    node.exact = rim || ends.size() == 3;
+    context_.counts.clusters += !node.exact;
+    if (rim)
+      for (const LocalForm& f : forms) node.governors.push_back(f.site);
+    for (const auto k : ends) {
+      node.governors.push_back(s.end[k].below);
+      node.governors.push_back(s.end[k].above);
+    }
+    std::sort(node.governors.begin(), node.governors.end());
+    node.governors.erase(std::unique(node.governors.begin(), node.governors.end()),
+                         node.governors.end());
+  }
+}
+
+}  // namespace blum

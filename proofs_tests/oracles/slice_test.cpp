@@ -1,0 +1,116 @@
+// Theorem S (parts of a face seen from a vertex) against the exact oracle: tried first everywhere,
+// in all scenes, and on slivers in rows.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracles/face_compare.hpp"
+
+namespace blum {
+namespace {
+
+using test::compare;
+using test::Random;
+using test::Scene;
+using test::Tally;
+using test::uniform;
+
+double log_uniform(Random& random, double lo, double hi) {
+  return std::exp(uniform(random, std::log(lo), std::log(hi)));
+}
+
+/// By the rotation of an integer quaternion times its squared norm; coordinates are rounded.
+PolygonMesh turned(PolygonMesh m, const std::array<int, 4>& q) {
+  const auto [a, b, c, d] = q;
+  const int r[3][3] = {{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
+                       {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
+                       {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
+  for (Point3& p : m.points) {
+    const Point3 x = p;
+    for (int k = 0; k < 3; ++k) p[k] = r[k][0] * x.x + r[k][1] * x.y + r[k][2] * x.z;
+  }
+  return m;
+}
+
+/// A rectangle of any size about a point beside an edge that is no diagonal of a flat facet.
+Rect rect_at_edge(Random& random, const Scene& scene) {
+  const Solid& solid = *scene.solid;
+  std::uint32_t e = 0;
+  do {
+    e = static_cast<std::uint32_t>(random() % solid.edge.size());
+  } while (solid.edge[e].kind == EdgeKind::kFlat);
+  const Point3 &p = solid.point[solid.edge[e].vertex[0]], &q = solid.point[solid.edge[e].vertex[1]];
+  const double t = random() % 3 == 0 ? log_uniform(random, 1e-6, 1) : uniform(random, 0, 1);
+  const double off = scene.extent() * log_uniform(random, 1e-9, 0.05);
+  const double size = off * log_uniform(random, 1e-3, 3);
+  Point3 c;
+  for (int k = 0; k < 3; ++k) c[k] = p[k] + t * (q[k] - p[k]) + off * uniform(random, -1, 1);
+  Rect r;
+  r.axis = static_cast<int>(random() % 3);
+  const int u = u_axis(r.axis), v = v_axis(r.axis);
+  r.level = c[r.axis];
+  r.u0 = c[u] - size * uniform(random, 0.3, 1);
+  r.u1 = c[u] + size * uniform(random, 0.3, 1);
+  r.v0 = c[v] - size * uniform(random, 0.3, 1);
+  r.v1 = c[v] + size * uniform(random, 0.3, 1);
+  return r;
+}
+
+void run_catalogue(std::uint64_t seed, int rounds, Tally& tally) {
+  Random random(seed);
+  for (int round = 0; round < rounds; ++round)
+    for (const Scene& scene : test::catalogue(random)) {
+      compare(scene, test::special_rect(random, scene), false, tally, true);
+      compare(scene, rect_at_edge(random, scene), false, tally, true);
+    }
+  tally.print("slices of all scenes");
+}
+
+/// Facets with holes, turned and rounded: slivers 1e-16 wide in rows.
+void run_rows(std::uint64_t seed, int rectangles, std::size_t candidates, Tally& tally) {
+  Random random(seed);
+  for (const auto& q : {std::array{5, 1, -2, 2}, std::array{1, 2, 3, 4}})
+    for (const int holes : {2, 3}) {
+      const Scene scene("rotated plate", turned(shapes::plate(holes, 6), q));
+      for (int k = 0; k < rectangles; ++k) {
+        const Rect r = rect_at_edge(random, scene);
+        const auto near = scene.near(r);
+        if (near.size() > 1 && near.size() <= candidates && scene.curved(near) <= 4)
+          compare(scene, r, false, tally, k % 2 == 0);
+      }
+    }
+  tally.print("slices of rows of slivers");
+}
+
+TEST(Slice, AllScenes_NeverContradictTheOracle) {
+  Tally tally;
+  run_catalogue(1, 1, tally);
+  EXPECT_GE(tally.same, 30);
+  EXPECT_GE(tally.slices, 10);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(SweepSlice, AllScenes_NeverContradictTheOracle) {
+  Tally tally;
+  run_catalogue(2, 30, tally);
+  EXPECT_GE(tally.same, 1000);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(Slice, RowsOfSlivers_NeverContradictTheOracle) {
+  Tally tally;
+  run_rows(3, 12, 7, tally);
+  EXPECT_GE(tally.same, 10);
+  EXPECT_GE(tally.slices, 5);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(SweepSlice, RowsOfSlivers_NeverContradictTheOracle) {
+  Tally tally;
+  for (std::uint64_t seed = 4; seed < 12; ++seed) run_rows(seed, 40, 12, tally);
+  EXPECT_GE(tally.same, 400);
+  EXPECT_EQ(tally.different, 0);
+}
+
+}  // namespace
+}  // namespace blum
