@@ -229,7 +229,7 @@ bool FaceEngine::accept_vertex_link(const Box& box, std::span<const LocalForm> f
   };
   for (const LocalForm& f : forms)
     if (!shows(f.site) && !misses(f)) return false;
-  if (ties_of(border.circle[0]) > 3 && !may_be_cluster(box, forms, sites, border.circle[0]))
+  if (ends_of(border.circle[0]) > 3 && !may_be_cluster(box, forms, sites, border.circle[0]))
     return false;
   record(border.circle[0], forms, sites, box);
   return true;
