@@ -35,9 +35,9 @@ int run(int argc, char** argv) {
   const Command info = add_info_command(app), make = add_make_command(app),
                 medial = add_medial_command(app), field = add_field_command(app),
                 voronoi = add_voronoi_command(app), verify = add_verify_command(app),
-                certificate = add_certificate_command(app),
-                thickness = add_thickness_command(app), midsurface = add_midsurface_command(app),
-                view = add_view_command(app), render = add_render_command(app);
+                certificate = add_certificate_command(app), thickness = add_thickness_command(app),
+                midsurface = add_midsurface_command(app), view = add_view_command(app),
+                render = add_render_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
