@@ -46,7 +46,9 @@ std::vector<float> distances(const SiteSet& sites, const VoxelGrid& grid, int th
 }  // namespace
 
 std::vector<float> openvdb_distances(const SiteSet& sites, const VoxelGrid& grid, int threads) {
-  return distances(sites, grid, threads, 2.0F * static_cast<float>(grid.size[0]));
+  // Half of the grid reaches all of its samples from a model in its middle. (The band goes beyond
+  // the grid, too: OpenVDB knows no box.)
+  return distances(sites, grid, threads, 0.5F * static_cast<float>(grid.size[0]));
 }
 std::vector<float> openvdb_band3(const SiteSet& sites, const VoxelGrid& grid, int threads) {
   return distances(sites, grid, threads, 3);
