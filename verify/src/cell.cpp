@@ -180,16 +180,23 @@ int Surface::flow(std::size_t f, Site label) const {
   const Rect& r = face_[f].rect;
   Vec<Rational> normal{};
   normal[r.axis] = f % 2 == 0 ? -1 : 1;
+  // x - foot is a negative multiple of a face's normal inside, and of those of both faces at a
+  // reflex edge a sum.
+  const auto inwards = [&](std::uint32_t t) {
+    return -decide([&]<class N>(const N&) {
+      return sign_of(N(shape_.normal<N>(t)[r.axis] * N(f % 2 == 0 ? -1.0 : 1.0)));
+    });
+  };
+  if (shape_.kind(label) == Kind::kFace) return inwards(shape_.element(label));
+  if (shape_.kind(label) == Kind::kEdge) {
+    const auto& beside = shape_.edge[shape_.element(label)].triangle;
+    const int first = inwards(beside[0]);
+    if (first != 0 && first == inwards(beside[1])) return first;
+  }
   int sign = 2;
   for (const Point3& x :
        BoxCorners({point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1)})) {
-    const int s = shape_.kind(label) == Kind::kFace
-                      // x - foot is a negative multiple of the normal inside.
-                      ? -decide([&]<class N>(const N&) {
-                          return sign_of(N(shape_.normal<N>(shape_.element(label))[r.axis] *
-                                           N(f % 2 == 0 ? -1.0 : 1.0)));
-                        })
-                      : sites_.outward(x, label, normal);
+    const int s = sites_.outward(x, label, normal);
     if (s == 0 || (sign != 2 && s != sign)) return 0;
     sign = s;
   }
