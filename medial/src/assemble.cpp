@@ -410,18 +410,12 @@ void Assembler::add_leaf(std::uint32_t index) {
     sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
     n += 1;
   }
-  const auto to_working = [&](const Point3& p) {
-    Point3 x;
-    for (int k = 0; k < 3; ++k)
-      x[k] = std::ldexp(p[k] - solid_.frame.origin[k], -solid_.frame.exponent);
-    return x;
-  };
   const auto nearest_base = [&](std::uint32_t component, const Point3& x) {
     Point3 best = x;
     double least = std::numeric_limits<double>::infinity();
     for (const auto v : vertices) {
       if (components.find(local.at(v)) != component || complex_.vertex[v].radius == 0) continue;
-      const Point3 y = to_working(complex_.vertex[v].position);
+      const Point3 y = solid_.frame.to_working(complex_.vertex[v].position);
       const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
       if (d < least && engines_.inside().locate(y) == InsideOracle::Where::kInside) {
         least = d;
@@ -437,7 +431,8 @@ void Assembler::add_leaf(std::uint32_t index) {
       placed.on_axis = true;
       placed.governors = {geometry_.index().vertex(leaf.boundary_vertex)};
     } else {
-      Point3 x = to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
+      Point3 x =
+          solid_.frame.to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
       for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
       if (medial_ && engines_.inside().locate(x) != InsideOracle::Where::kInside)

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -23,6 +24,8 @@ struct Cell {
   std::uint32_t node = 0;
   Box3 box;
   int depth = 0;
+  /// Of the leaves in it that meet the axis, working units.
+  double largest_diameter = std::numeric_limits<double>::infinity();
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
@@ -69,7 +72,7 @@ class CellWorker {
   using Faces = std::array<std::shared_ptr<const FaceDiagram>, 6>;
 
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
-  [[nodiscard]] bool fine_enough(const Box3& box) const;
+  [[nodiscard]] bool fine_enough(const Cell& cell) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
   [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);
   [[nodiscard]] bool connected_at(std::uint32_t vertex);

@@ -1,0 +1,126 @@
+// The Hausdorff bound against points of the exact axis, found by bisection, and of the result.
+
+#include <gtest/gtest.h>
+
+#include "placement/placement_tools.hpp"
+
+namespace blum {
+namespace {
+
+using test::PlacedRun;
+
+std::vector<test::Scene> scenes() {
+  return {{"cube", shapes::cuboid(1, 1, 1)},
+          {"cuboid", shapes::cuboid(3, 2, 1)},
+          {"lbracket", shapes::lbracket()},
+          {"lpocket", shapes::lpocket()},
+          {"square prism", shapes::prism(4, 1, 3)},
+          {"octagon", shapes::prism(8, 1, 1)},
+          {"voids", shapes::nested_voids(1)},
+          {"torus", shapes::torus(8, 4, 2, 0.75)},
+          {"rotated", shapes::rotate_rounded(shapes::lbracket(), 3)}};
+}
+
+/// What is measured, both ways, as parts of the diagonal.
+struct Measured {
+  double axis_to_result = 0, result_to_axis = 0;
+  std::size_t points = 0;
+};
+
+Measured measure(const PlacedRun& run, std::size_t trials, std::mt19937& random) {
+  const CellComplex& mesh = run.placement->mesh().complex;
+  const InsideOracle inside(run.solid);
+  const auto is_inside = [&](const Point3& p) {
+    return inside.locate(run.solid.frame.to_working(p)) == InsideOracle::Where::kInside;
+  };
+  Point3 lo = run.points.front(), hi = lo;
+  for (const Point3& p : run.points)
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], p[k]);
+      hi[k] = std::max(hi[k], p[k]);
+    }
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution(a, b)(random);
+  };
+  Measured m;
+  for (std::size_t k = 0; k < trials; ++k) {
+    Point3 p, q;
+    for (int i = 0; i < 3; ++i) {
+      p[i] = uniform(lo[i], hi[i]);
+      q[i] = p[i] + uniform(-0.2, 0.2) * run.diagonal;
+    }
+    if (!is_inside(p) || !is_inside(q)) continue;
+    const auto x = test::axis_point_between(run.solid, run.points, p, q);
+    if (!x || !is_inside(*x)) continue;
+    ++m.points;
+    m.axis_to_result = std::max(m.axis_to_result, test::distance_to_mesh(mesh, *x));
+  }
+  for (std::size_t k = 0; k < trials; ++k) {
+    const auto t = std::uniform_int_distribution<std::size_t>(0, mesh.triangle.size() - 1)(random);
+    const auto v = corners(mesh, mesh.triangle[t]);
+    double a = uniform(0, 1), b = uniform(0, 1);
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    const Point3 x = (1 - a - b) * mesh.vertex[v[0]].position + a * mesh.vertex[v[1]].position +
+                     b * mesh.vertex[v[2]].position;
+    m.result_to_axis =
+        std::max(m.result_to_axis, test::plain_distance_to_axis(run.solid, run.points, x));
+  }
+  return m;
+}
+
+TEST(HausdorffBound, SampledPoints_NeverExceedIt) {
+  std::mt19937 random(7);
+  std::size_t points = 0;
+  for (const auto& scene : scenes()) {
+    SCOPED_TRACE(scene.name);
+    const PlacedRun run(scene.mesh, 0.02);
+    ASSERT_TRUE(run.result.certified);
+    EXPECT_TRUE(run.placement->report().reached);
+    const double bound = run.result.hausdorff_bound;
+    EXPECT_EQ(bound, run.placement->report().bound);
+    EXPECT_LE(bound, 0.02 * run.diagonal);
+    const Measured m = measure(run, 400, random);
+    EXPECT_LE(m.axis_to_result, bound);
+    EXPECT_LE(m.result_to_axis, bound);
+    points += m.points;
+  }
+  EXPECT_GT(points, 700u);
+}
+
+TEST(HausdorffBound, WithoutEpsilon_IsTheLargestLeaf) {
+  std::mt19937 random(8);
+  for (const auto& scene : scenes()) {
+    SCOPED_TRACE(scene.name);
+    const PlacedRun run(scene.mesh, 0);
+    auto plain = compute_medial_axis(run.solid, test::seeded(1));
+    ASSERT_TRUE(plain);
+    EXPECT_NEAR(run.result.hausdorff_bound, plain.value().hausdorff_bound, 1e-8 * run.diagonal);
+    EXPECT_LE(measure(run, 60, random).axis_to_result, run.result.hausdorff_bound);
+  }
+}
+
+TEST(HausdorffBound, ResultThatMissesTheAxis_IsNotWithinIt) {
+  // The measure itself must be able to fail: the mesh of one solid beside the axis of another.
+  std::mt19937 random(9);
+  PlacedRun run(shapes::cuboid(3, 2, 1), 0.02);
+  const PlacedRun other(shapes::cuboid(3, 2, 1.3), 0.02);
+  run.placement->mesh();
+  std::swap(run.placement, const_cast<PlacedRun&>(other).placement);
+  const Measured m = measure(run, 300, random);
+  EXPECT_GT(m.axis_to_result, run.result.hausdorff_bound);
+  EXPECT_GT(m.result_to_axis, run.result.hausdorff_bound);
+}
+
+TEST(HausdorffBound, FewerLeavesThanByDiameter) {
+  for (const auto& scene : scenes()) {
+    SCOPED_TRACE(scene.name);
+    const PlacedRun run(scene.mesh, 0.08);
+    auto uniform =
+        compute_medial_axis(run.solid, test::seeded(1, 0.08 * run.diagonal));
+    ASSERT_TRUE(uniform);
+    EXPECT_LT(4 * run.result.leaves, uniform.value().leaves);
+  }
+}
+
+}  // namespace
+}  // namespace blum
