@@ -85,9 +85,11 @@ std::optional<EqualDistancePoint> checked(const SiteGeometry& geometry, const In
 
 }  // namespace
 
-std::optional<EqualDistancePoint> equal_distance_point(
-    const SiteGeometry& geometry, const InsideOracle& inside, std::span<const SiteGroup> sides,
-    std::span<const SiteId> candidates, const Box3& box, const Point3& start) {
+std::optional<EqualDistancePoint> equal_distance_point(const SiteGeometry& geometry,
+                                                       const InsideOracle& inside,
+                                                       std::span<const SiteGroup> sides,
+                                                       std::span<const SiteId> candidates,
+                                                       const Box3& box, const Point3& start) {
   if (sides.size() < 2) return std::nullopt;
   const Point3 center = middle(box.lo, box.hi);
   for (const double part : {0.0, 0.5, 1.0}) {

@@ -63,12 +63,11 @@ class FeetFinder {
         patch.side = side;
         patch.site = image[3].site;
         for (std::size_t k = 0; k < 3; ++k) {
-          const auto [it, fresh] =
-              known.try_emplace({corner[k], sheet, side, image[k].site.value},
-                                static_cast<std::uint32_t>(feet.foot.size()));
+          const auto [it, fresh] = known.try_emplace({corner[k], sheet, side, image[k].site.value},
+                                                     static_cast<std::uint32_t>(feet.foot.size()));
           if (fresh)
-            feet.foot.push_back({geometry_.solid().frame.to_model(image[k].foot), corner[k],
-                                 image[k].site});
+            feet.foot.push_back(
+                {geometry_.solid().frame.to_model(image[k].foot), corner[k], image[k].site});
           patch.foot[k] = it->second;
         }
         feet.patch.push_back(patch);
@@ -119,8 +118,7 @@ class FeetFinder {
     const auto& complex = mesh_.complex;
     std::vector<std::array<std::uint32_t, 2>> beside(complex.edge.size(), {kNone, kNone});
     for (std::uint32_t t = 0; t < complex.triangle.size(); ++t)
-      for (const auto e : complex.triangle[t].edge)
-        beside[e][beside[e][0] == kNone ? 0 : 1] = t;
+      for (const auto e : complex.triangle[t].edge) beside[e][beside[e][0] == kNone ? 0 : 1] = t;
     std::vector<bool> done(complex.triangle.size(), false), bad(parts_.sheets, false);
     for (std::uint32_t root = 0; root < done.size(); ++root) {
       if (done[root]) continue;

@@ -23,11 +23,13 @@ double radius_about(const Point3& center, const std::array<Point3, 3>& triangle)
 /// Largest distance from a triangle of the complex to the axis.
 class TriangleBound {
  public:
-  TriangleBound(BoundTools& tools, double target)
-      : tools_(tools), target_(target), distance_(tools.geometry, tools.tree, tools.inside) {}
+  TriangleBound(BoundTools& tools, const LeafSides& leaf, double target)
+      : tools_(tools),
+        leaf_(leaf),
+        target_(target),
+        distance_(tools.geometry, tools.engine, tools.tree, tools.inside) {}
 
   std::optional<double> run(const LeafTriangle& t) {
-    // A point of the axis in reach of all of it, if there is one, saves the division.
     std::vector<std::array<Point3, 3>> stack{t.corner};
     double most = 0;
     while (!stack.empty()) {
@@ -38,7 +40,7 @@ class TriangleBound {
       const double reach = radius_about(center, part);
       ++tools_.points;
       if (reach + kRounding < target_) {
-        const double off = from_axis(center, t) + reach + kRounding;
+        const double off = from_axis(center, t, target_ - reach) + reach + kRounding;
         if (off <= target_) {
           most = std::max(most, off);
           continue;
@@ -56,12 +58,14 @@ class TriangleBound {
   }
 
  private:
-  double from_axis(const Point3& p, const LeafTriangle& t) {
+  double from_axis(const Point3& p, const LeafTriangle& t, double most) {
     double best = std::numeric_limits<double>::infinity();
     if (const auto d = distance_.at_most(p, t.a, t.b)) best = *d;
     for (std::size_t k = 0; k < 3; ++k)
       if (t.on_rim[k]) best = std::min(best, distance_between(p, t.corner[k]));
-    if (best < target_) return best;
+    if (best < most) return best;
+    if (const auto d = distance_.exactly_at_most(p, t.a, t.b, leaf_, most))
+      return std::min(best, *d);
     // Outside the solid, or where a sheet is too flat: by way of a corner.
     for (const Point3& q : t.corner) {
       const double way = distance_between(p, q);
@@ -72,6 +76,7 @@ class TriangleBound {
   }
 
   BoundTools& tools_;
+  const LeafSides& leaf_;
   const double target_;
   AxisDistance distance_;
 };
@@ -155,7 +160,7 @@ double distance_to(const std::array<Point3, 3>& triangle, const Point3& x) {
 
 std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
                                     const std::vector<LeafTriangle>& triangles, double target) {
-  TriangleBound from_triangles(tools, target);
+  TriangleBound from_triangles(tools, leaf, target);
   double most = 0;
   for (const LeafTriangle& t : triangles) {
     const auto bound = from_triangles.run(t);

@@ -16,7 +16,7 @@ namespace blum {
 struct LeafTriangle {
   std::array<Point3, 3> corner;
   std::array<bool, 3> on_rim{};  ///< lies on a convex edge, which bounds the axis
-  SiteGroup a, b;                     ///< of the sheet that it belongs to
+  SiteGroup a, b;                ///< of the sheet that it belongs to
 };
 
 /// What one thread bounds with.

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr int kMostRounds = 12;
 /// A new point is not moved by more than this part of its edge.
-constexpr double kMostMove = 0.5;
+constexpr double kMostMove = 0.3;
 
 class Mesher {
  public:
@@ -43,8 +43,8 @@ class Mesher {
 
  private:
   struct Halves {
-    std::uint32_t vertex = kNone;           ///< in the middle
-    std::array<std::uint32_t, 2> edge{};    ///< towards the edge's vertex[0] and vertex[1]
+    std::uint32_t vertex = kNone;         ///< in the middle
+    std::array<std::uint32_t, 2> edge{};  ///< towards the edge's vertex[0] and vertex[1]
   };
 
   bool halve_edges_longer_than(double edge_length);
@@ -64,7 +64,7 @@ class Mesher {
   const Parts& parts_;
   const ConeSides& sides_;
   AxisMesh mesh_;
-  std::vector<Point3> position_;  // working frame
+  std::vector<Point3> position_;                    // working frame
   std::vector<std::vector<std::uint32_t>> beside_;  // triangles at each edge
   std::vector<Halves> half_;
 };
@@ -139,8 +139,8 @@ std::uint32_t Mesher::add_middle(std::uint32_t edge) {
         governors.insert(governors.end(), triangle.governors.begin(), triangle.governors.end());
     }
     const auto candidates = leaf.candidates();
-    const auto found = equal_distance_point(geometry_, inside_, leaf.sides_of(governors),
-                                            candidates, box, x);
+    const auto found =
+        equal_distance_point(geometry_, inside_, leaf.sides_of(governors), candidates, box, x);
     const double length = distance_between(position_[a], position_[b]);
     v.on_axis = found && distance_between(found->position, x) <= kMostMove * length;
     if (v.on_axis) {
@@ -267,8 +267,7 @@ MedialResult with_mesh(const MedialResult& result, const AxisMesh& mesh) {
     r.parts.triangle_sheet.push_back(result.parts.triangle_sheet[t]);
   r.parts.edge_seam.clear();
   for (const CellOrigin& o : mesh.edge)
-    r.parts.edge_seam.push_back(o.dimension == 1 ? result.parts.edge_seam[o.cell]
-                                                 : Parts::kNoSeam);
+    r.parts.edge_seam.push_back(o.dimension == 1 ? result.parts.edge_seam[o.cell] : Parts::kNoSeam);
   if (result.certified) {
     r.betti = betti_numbers(r.complex);
     BLUM_CHECK(r.betti == result.betti);
@@ -300,8 +299,7 @@ MedialResult with_mesh(const MedialResult& result, const AxisMesh& mesh) {
   r.filtration->value = {};
   for (const CellOrigin& o : mesh.vertex) r.filtration->value.vertex.push_back(value_of(o));
   for (const CellOrigin& o : mesh.edge) r.filtration->value.edge.push_back(value_of(o));
-  for (const auto t : mesh.triangle)
-    r.filtration->value.triangle.push_back(value.triangle[t]);
+  for (const auto t : mesh.triangle) r.filtration->value.triangle.push_back(value.triangle[t]);
   return r;
 }
 

@@ -12,9 +12,10 @@
 namespace blum {
 
 struct PlacedPoints {
-  std::size_t moved = 0;        ///< apexes on the axis now, where all that meets in them ties
-  std::size_t on_part = 0;      ///< apexes on the axis, on some of what meets in them
-  std::size_t unconverged = 0;  ///< vertices that are not known to be on the axis (on_axis == false)
+  std::size_t moved = 0;    ///< apexes on the axis now, where all that meets in them ties
+  std::size_t on_part = 0;  ///< apexes on the axis, on some of what meets in them
+  std::size_t unconverged =
+      0;  ///< vertices that are not known to be on the axis (on_axis == false)
 };
 
 /// Each apex goes to a point of its leaf that is equally far from all sides of the leaf (a point of

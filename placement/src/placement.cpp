@@ -52,7 +52,8 @@ struct AxisPlacement::Impl {
 
   ReviewVerdict look(const AssembledAxis& axis);
   ReviewVerdict bound(const AssembledAxis& axis);
-  [[nodiscard]] std::vector<LeafTriangle> triangles_of(const std::vector<std::uint32_t>& which) const;
+  [[nodiscard]] std::vector<LeafTriangle> triangles_of(
+      const std::vector<std::uint32_t>& which) const;
 
   const Solid& solid;
   const PlacementOptions options;
@@ -69,20 +70,20 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   const auto& cone = axis.complex.cone;
   sides.clear();
   for (std::size_t c = 0; c < cone.size(); ++c)
-    sides.push_back(c > 0 && cone[c].leaf == cone[c - 1].leaf
-                        ? sides.back()
-                        : std::make_shared<const LeafSides>(
-                              geometry, axis.subdivision.leaf[cone[c].leaf]));
+    sides.push_back(
+        c > 0 && cone[c].leaf == cone[c - 1].leaf
+            ? sides.back()
+            : std::make_shared<const LeafSides>(geometry, axis.subdivision.leaf[cone[c].leaf]));
   const InsideOracle& inside = axis.engines.inside();
   const PlacedPoints placed = place_apexes(geometry, inside, axis.parts, sides, axis.complex);
   report.place_s += clock.lap();
   report.moved = placed.moved;
   report.on_part = placed.on_part;
-  const double edge = options.edge_length > 0 ? options.edge_length
-                                              : kEdgePerEpsilon * options.epsilon;
-  mesh = mesh_of(geometry, inside, axis.complex, axis.parts, sides,
-                 edge > 0 ? solid.frame.length_to_working(edge)
-                          : std::numeric_limits<double>::infinity());
+  const double edge =
+      options.edge_length > 0 ? options.edge_length : kEdgePerEpsilon * options.epsilon;
+  mesh = mesh_of(
+      geometry, inside, axis.complex, axis.parts, sides,
+      edge > 0 ? solid.frame.length_to_working(edge) : std::numeric_limits<double>::infinity());
   report.unconverged = placed.unconverged + mesh.unconverged;
   report.mesh_s += clock.lap();
   ReviewVerdict verdict = bound(axis);
@@ -115,8 +116,7 @@ std::vector<LeafTriangle> AxisPlacement::Impl::triangles_of(
 
 ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
   const auto& leaves = axis.subdivision.leaf;
-  const double target =
-      solid.frame.length_to_working(options.epsilon) * (1 - kSlack);
+  const double target = solid.frame.length_to_working(options.epsilon) * (1 - kSlack);
   std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // by leaf
   for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
     triangles[axis.complex.cone[mesh.complex.triangle[t].cone].leaf].push_back(t);

@@ -35,11 +35,13 @@ SummarySection placement_section(const PlacementReport& r, const AxisMesh& mesh,
                        {"edges", mesh.complex.edge.size()},
                        {"triangles", mesh.complex.triangle.size()}}},
                      {"time_s", {{"place", r.place_s}, {"mesh", r.mesh_s}, {"bound", r.bound_s}}}};
-  std::string text = line("geometry   within %.4g %% of the diagonal%s; %zu points of %zu off the axis\n",
-                          percent, r.reached ? "" : " (more than --epsilon: budget out)",
-                          r.unconverged, mesh.complex.vertex.size());
-  text += line("           %zu triangles; %zu rounds, %zu boxes; place %.3f, mesh %.3f, bound %.3f s\n",
-               mesh.complex.triangle.size(), r.rounds, r.boxes, r.place_s, r.mesh_s, r.bound_s);
+  std::string text =
+      line("geometry   within %.4g %% of the diagonal%s; %zu points of %zu off the axis\n", percent,
+           r.reached ? "" : " (more than --epsilon: budget out)", r.unconverged,
+           mesh.complex.vertex.size());
+  text +=
+      line("           %zu triangles; %zu rounds, %zu boxes; place %.3f, mesh %.3f, bound %.3f s\n",
+           mesh.complex.triangle.size(), r.rounds, r.boxes, r.place_s, r.mesh_s, r.bound_s);
   return {"geometry", json.dump(), text};
 }
 
@@ -58,12 +60,11 @@ SummarySection smooth_section(const SmoothReport& r, double diagonal) {
 
 SummarySection reconstruction_section(const ReconstructionError& e, double diagonal) {
   const auto percent = [&](double length) { return 100 * length / diagonal; };
-  const Json json = {
-      {"balls", e.balls},
-      {"boundary_to_union_percent",
-       {percent(e.boundary_to_union_lo), percent(e.boundary_to_union_hi)}},
-      {"union_to_boundary_sampled_percent", percent(e.union_to_boundary_sampled)},
-      {"border_samples", e.border_samples}};
+  const Json json = {{"balls", e.balls},
+                     {"boundary_to_union_percent",
+                      {percent(e.boundary_to_union_lo), percent(e.boundary_to_union_hi)}},
+                     {"union_to_boundary_sampled_percent", percent(e.union_to_boundary_sampled)},
+                     {"border_samples", e.border_samples}};
   return {"reconstruction", json.dump(),
           line("rebuilt    %zu balls; %% of the diagonal: boundary to union %.4g to %.4g, union to "
                "boundary %.4g (%zu samples)\n",

@@ -105,8 +105,7 @@ void filter_step(Mesh& mesh, const std::vector<bool>& fixed, double part) {
 
 }  // namespace
 
-SmoothReport smooth_sheets(MedialResult& result, const Solid& solid,
-                           const SmoothOptions& options) {
+SmoothReport smooth_sheets(MedialResult& result, const Solid& solid, const SmoothOptions& options) {
   CellComplex& complex = result.complex;
   result.smoothed = true;
   const SiteTree tree(solid);

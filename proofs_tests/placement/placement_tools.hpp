@@ -65,8 +65,8 @@ inline std::vector<PlainFoot> feet_on_all(const Solid& solid, const std::vector<
   std::vector<PlainFoot> all;
   for (const SolidTriangle& t : solid.triangle) {
     PlainFoot f;
-    f.foot = nearest_on_triangle(wide(q), {wide(points[t.vertex[0]]), wide(points[t.vertex[1]]),
-                                           wide(points[t.vertex[2]])});
+    f.foot = nearest_on_triangle(
+        wide(q), {wide(points[t.vertex[0]]), wide(points[t.vertex[1]]), wide(points[t.vertex[2]])});
     const LongPoint w = minus(f.foot, wide(q));
     f.distance = std::sqrt(dot(w, w));
     all.push_back(f);
@@ -77,9 +77,8 @@ inline std::vector<PlainFoot> feet_on_all(const Solid& solid, const std::vector<
 inline PlainFoot plain_foot(const Solid& solid, const std::vector<Point3>& points,
                             const Point3& q) {
   const auto all = feet_on_all(solid, points, q);
-  return *std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.distance < b.distance;
-  });
+  return *std::min_element(all.begin(), all.end(),
+                           [](const auto& a, const auto& b) { return a.distance < b.distance; });
 }
 
 /// A point of the axis between p and q, which are inside, by bisection: of the two halves the one
@@ -120,8 +119,8 @@ inline double plain_distance_to_axis(const Solid& solid, const std::vector<Point
     const LongPoint w = minus(f.foot, first.foot);
     const long double apart = std::sqrt(dot(w, w));
     if (apart < 1e-9L) continue;
-    least = std::min(least, (f.distance * f.distance - first.distance * first.distance) /
-                                (2 * apart));
+    least =
+        std::min(least, (f.distance * f.distance - first.distance * first.distance) / (2 * apart));
   }
   return static_cast<double>(least);
 }

@@ -28,8 +28,8 @@ struct SheetFeet {
     SiteId site;                          ///< nearest to the triangle's centre on that side
   };
   std::vector<Foot> foot;
-  std::vector<Patch> patch;      ///< two for each triangle, side 0 first
-  std::size_t one_sided = 0;     ///< sheets whose sides could not be told apart all over
+  std::vector<Patch> patch;   ///< two for each triangle, side 0 first
+  std::size_t one_sided = 0;  ///< sheets whose sides could not be told apart all over
 };
 
 /// Feet of the vertices of the placement's mesh on the sides of each triangle there. Positions are

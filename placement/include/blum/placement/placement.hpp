@@ -1,6 +1,6 @@
-/// The geometry of a medial axis: points moved onto it, finer meshes, and how far the result is from
-/// the exact axis at most. Topology is not touched: it stays as it is certified, and what is done
-/// here is a realization of the complex in space.
+/// The geometry of a medial axis: points moved onto it, finer meshes, and how far the result is
+/// from the exact axis at most. Topology is not touched: it stays as it is certified, and what is
+/// done here is a realization of the complex in space.
 ///
 ///   AxisPlacement placement(solid, options);
 ///   auto axis = compute_medial_axis(solid, medial_options, {}, {}, placement.review());

@@ -1,5 +1,5 @@
-/// The solid from its axis: the union of the balls about the axis' points, and how far its border is
-/// from the boundary.
+/// The solid from its axis: the union of the balls about the axis' points, and how far its border
+/// is from the boundary.
 #pragma once
 
 #include <cstddef>

@@ -15,9 +15,10 @@ struct SmoothOptions {
 };
 
 struct SmoothReport {
-  std::size_t sheets = 0;   ///< smoothed
-  std::size_t skipped = 0;  ///< sheets that are no oriented surface (one-sided, or touch themselves)
-  std::size_t points = 0;   ///< that moved
+  std::size_t sheets = 0;  ///< smoothed
+  std::size_t skipped =
+      0;                   ///< sheets that are no oriented surface (one-sided, or touch themselves)
+  std::size_t points = 0;  ///< that moved
   double largest_displacement = 0;  ///< model units
 };
 
