@@ -1,5 +1,6 @@
 #include "blum/placement/feet.hpp"
 
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -12,6 +13,7 @@ namespace blum {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr double kFootTolerance = 1e-9;  // working units
 
 struct Corner {
   Point3 foot;  // working frame
@@ -65,9 +67,7 @@ class FeetFinder {
         for (std::size_t k = 0; k < 3; ++k) {
           const auto [it, fresh] = known.try_emplace({corner[k], sheet, side, image[k].site.value},
                                                      static_cast<std::uint32_t>(feet.foot.size()));
-          if (fresh)
-            feet.foot.push_back(
-                {geometry_.solid().frame.to_model(image[k].foot), corner[k], image[k].site});
+          if (fresh) feet.foot.push_back(foot_of(image[k], corner[k]));
           patch.foot[k] = it->second;
         }
         feet.patch.push_back(patch);
@@ -77,6 +77,13 @@ class FeetFinder {
   }
 
  private:
+  [[nodiscard]] SheetFeet::Foot foot_of(const Corner& corner, std::uint32_t vertex) const {
+    const Frame& frame = geometry_.solid().frame;
+    const ComplexVertex& v = mesh_.complex.vertex[vertex];
+    const double way = distance_between(corner.foot, frame.to_working(v.position));
+    return {frame.to_model(corner.foot), vertex, corner.site,
+            std::abs(way - frame.length_to_working(v.radius)) <= kFootTolerance};
+  }
   Images images_of(const ComplexTriangle& t) const {
     const auto side = sides_[t.cone]->sides_of(t.governors);
     std::array<Point3, 4> x;
@@ -184,6 +191,10 @@ std::optional<Error> write_feet(const SheetFeet& feet, const Parts& sheets, cons
     {
       DataArray<std::int64_t> array(out, "site", feet.foot.size());
       for (const auto& f : feet.foot) array.put(f.site.value);
+    }
+    {
+      DataArray<std::uint8_t> array(out, "is_foot", feet.foot.size());
+      for (const auto& f : feet.foot) array.put(f.is_foot ? 1 : 0);
     }
     out << "</PointData>\n<CellData Scalars=\"sheet\">\n";
     cell_array(std::int32_t{}, "sheet", [&](const auto& p) {

@@ -19,6 +19,7 @@ struct SheetFeet {
     Point3 position;               ///< model units, on the boundary
     std::uint32_t axis_point = 0;  ///< vertex of the mesh
     SiteId site;                   ///< that holds it, a nearest one of its side
+    bool is_foot = false;  ///< as far from the axis point as the boundary, to 1e-9 of the extent
   };
   /// The image of a triangle of the mesh. Flat where a side is an edge or a vertex of the boundary.
   struct Patch {
@@ -37,10 +38,10 @@ struct SheetFeet {
 [[nodiscard]] SheetFeet sheet_feet(const AxisPlacement& placement, const Parts& parts);
 
 /// VTK PolyData. Points are the feet, Polys the patches. PointData: axis_point (point of
-/// PREFIX.vtp), site. CellData: sheet, side (0/1), axis_triangle (the triangle's number among the
-/// Polys of PREFIX.vtp), site (numbered as there), element (of the solid: vertex, edge or triangle)
-/// and element_kind (0, 1, 2). FieldData: one_sided. The numbers are those of the whole axis, not
-/// of one that --theta has simplified.
+/// PREFIX.vtp), site, is_foot (0/1). CellData: sheet, side (0/1), axis_triangle (the triangle's
+/// number among the Polys of PREFIX.vtp), site (numbered as there), element (of the solid: vertex,
+/// edge or triangle) and element_kind (0, 1, 2). FieldData: one_sided. The numbers are those of the
+/// whole axis, not of one that --theta has simplified.
 [[nodiscard]] std::optional<Error> write_feet(const SheetFeet& feet, const Parts& parts,
                                               const Solid& solid,
                                               const std::filesystem::path& file);
