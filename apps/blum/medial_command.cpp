@@ -390,7 +390,7 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
   medial
       ->add_option("--edge-length", arguments.edge_length,
                    "Longest edge of the meshes of sheets, seams and rims, as a fraction of the\n"
-                   "diagonal; 0: that of the cells, or four --epsilon")
+                   "diagonal; 0: that of the cells, or 0.4 times the root of --epsilon")
       ->capture_default_str();
   medial
       ->add_option("--leaf-diameter", arguments.leaf_diameter,

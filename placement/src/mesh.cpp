@@ -12,7 +12,7 @@ namespace blum {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr int kMostRounds = 12;
+constexpr int kMostRounds = 40;
 /// A new point is not moved by more than this part of its edge.
 constexpr double kMostMove = 0.3;
 
@@ -35,9 +35,14 @@ class Mesher {
     for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) mesh_.triangle.push_back(t);
   }
 
-  AxisMesh run(double edge_length) {
-    for (int round = 0; round < kMostRounds; ++round)
-      if (!halve_edges_longer_than(edge_length)) break;
+  AxisMesh run(const MeshOptions& options) {
+    const auto may_go_on = [&] {
+      return mesh_.complex.triangle.size() <= options.most_triangles &&
+             (options.stop == nullptr || !*options.stop);
+    };
+    mesh_.complete = false;
+    for (int round = 0; round < kMostRounds && !mesh_.complete && may_go_on(); ++round)
+      mesh_.complete = !halve_edges_longer_than(options.edge_length);
     return std::move(mesh_);
   }
 
@@ -250,9 +255,9 @@ void Mesher::divide(std::uint32_t triangle) {
 
 AxisMesh mesh_of(const SiteGeometry& geometry, const InsideOracle& inside,
                  const CellComplex& complex, const Parts& parts, const ConeSides& sides,
-                 double edge_length) {
-  BLUM_REQUIRE(edge_length > 0);
-  return Mesher(geometry, inside, complex, parts, sides).run(edge_length);
+                 const MeshOptions& options) {
+  BLUM_REQUIRE(options.edge_length > 0);
+  return Mesher(geometry, inside, complex, parts, sides).run(options);
 }
 
 MedialResult with_mesh(const MedialResult& result, const AxisMesh& mesh) {

@@ -8,15 +8,18 @@
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
+#include "extent.hpp"
 #include "leaf_bound.hpp"
 #include "place.hpp"
 
 namespace blum {
 namespace {
 
-/// With a bound asked for and no edge length: short enough for curved sheets of usual radii (leaves
-/// where it is not are divided), long enough to keep meshes small.
-constexpr double kEdgePerEpsilon = 4;
+/// With a bound asked for and no edge length, edges of this times the root of epsilon times the
+/// diagonal: as a curve leaves its chord by the square of its length, short enough for sheets of
+/// usual radii (leaves where it is not are divided), long enough to keep meshes small.
+constexpr double kEdge = 0.4;
+constexpr std::size_t kMostTriangles = 4'000'000;
 /// Kept for roundings of positions in model units, as a part of the bound.
 constexpr double kSlack = 1e-9;
 
@@ -80,10 +83,12 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   report.moved = placed.moved;
   report.on_part = placed.on_part;
   const double edge =
-      options.edge_length > 0 ? options.edge_length : kEdgePerEpsilon * options.epsilon;
-  mesh = mesh_of(
-      geometry, inside, axis.complex, axis.parts, sides,
-      edge > 0 ? solid.frame.length_to_working(edge) : std::numeric_limits<double>::infinity());
+      options.edge_length > 0
+          ? solid.frame.length_to_working(options.edge_length)
+          : kEdge * std::sqrt(solid.frame.length_to_working(options.epsilon) * extent_of(solid));
+  mesh = mesh_of(geometry, inside, axis.complex, axis.parts, sides,
+                 {edge > 0 ? edge : std::numeric_limits<double>::infinity(), kMostTriangles,
+                  &axis.engines.watch().flag()});
   report.unconverged = placed.unconverged + mesh.unconverged;
   report.mesh_s += clock.lap();
   ReviewVerdict verdict = bound(axis);

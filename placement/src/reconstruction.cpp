@@ -10,6 +10,7 @@
 
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_tree.hpp"
+#include "extent.hpp"
 
 namespace blum {
 namespace {
@@ -93,12 +94,6 @@ ReconstructionError reconstruction_error(const Solid& solid, const CellComplex& 
                                          const ReconstructionOptions& options) {
   const Frame& frame = solid.frame;
   std::vector<WorkingBall> balls;
-  Point3 lo = solid.point.front(), hi = lo;
-  for (const Point3& p : solid.point)
-    for (int k = 0; k < 3; ++k) {
-      lo[k] = std::min(lo[k], p[k]);
-      hi[k] = std::max(hi[k], p[k]);
-    }
   for (const ComplexVertex& v : complex.vertex)
     balls.push_back({frame.to_working(v.position), frame.length_to_working(v.radius)});
   ReconstructionError error;
@@ -106,7 +101,7 @@ ReconstructionError reconstruction_error(const Solid& solid, const CellComplex& 
   if (balls.empty()) return error;
 
   BoundarySide side(balls);
-  side.run(solid, options.tolerance * distance_between(lo, hi), options.most_pieces);
+  side.run(solid, options.tolerance * extent_of(solid), options.most_pieces);
   error.boundary_to_union_lo = frame.length_to_model(side.lo());
   error.boundary_to_union_hi = frame.length_to_model(side.hi());
 

@@ -2,6 +2,7 @@
 /// where it can be found. A mesh is a subdivision of the complex: the same space, with other cells.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,15 +29,21 @@ struct AxisMesh {
   std::vector<CellOrigin> vertex, edge;
   std::vector<std::uint32_t> triangle;  ///< triangle of the complex
   std::size_t unconverged = 0;          ///< new points that were left where they were
+  bool complete = true;                 ///< all edges are as short as was asked for
 };
 
-/// Edges are at most `edge_length` (working units) long where twelve halvings suffice; seams and
-/// rims stay curves of the same parts. Points stay in the boxes of the leaves whose triangles they
-/// lie on; a point on an edge between two convex boundary points stays on the straight line.
-/// Requires edge_length > 0.
+struct MeshOptions {
+  double edge_length = 0;                   ///< longest edge, working units; > 0
+  std::size_t most_triangles = 4'000'000;   ///< no more halving beyond
+  const std::atomic<bool>* stop = nullptr;  ///< nor after this has become true
+};
+
+/// Halves edges until they are short. Seams and rims stay curves of the same parts. Points stay in
+/// the boxes of the leaves whose triangles they lie on; a point on an edge between two convex
+/// boundary points stays on the straight line.
 [[nodiscard]] AxisMesh mesh_of(const SiteGeometry& geometry, const InsideOracle& inside,
                                const CellComplex& complex, const Parts& parts,
-                               const ConeSides& sides, double edge_length);
+                               const ConeSides& sides, const MeshOptions& options);
 
 /// `result` with the mesh for its complex: parts, angles and values are those of the cells that
 /// the mesh's cells lie in. Betti numbers are counted anew (BLUM_CHECK: the same). Collapses, which

@@ -24,7 +24,7 @@ struct PlacementOptions {
   /// at most this. 0: none is asked for, and the bound is the largest diameter of a leaf.
   double epsilon = 0;
   /// Longest edge of the meshes of sheets and of the polylines of seams and rims. 0: that of the
-  /// complex, or four epsilon where that is asked for.
+  /// complex, or 0.4 times the root of epsilon times the diagonal where epsilon is asked for.
   double edge_length = 0;
 };
 

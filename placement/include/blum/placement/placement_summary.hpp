@@ -11,7 +11,7 @@
 namespace blum {
 
 /// "geometry": {"moved","on_part","unconverged","rounds","leaves_by_diameter","boxes","points",
-/// "hausdorff_bound","hausdorff_percent","epsilon_reached","mesh": {"vertices","edges",
+/// "hausdorff_bound","hausdorff_percent","epsilon_reached","mesh": {"complete","vertices","edges",
 /// "triangles"},"time_s": {"place","mesh","bound"}}; percents are of `diagonal`, model units.
 [[nodiscard]] SummarySection placement_section(const PlacementReport& report, const AxisMesh& mesh,
                                                double diagonal);
