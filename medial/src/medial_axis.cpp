@@ -166,6 +166,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (review && !assembly.stopped)
     verdict = review_and_refine(geometry, used, engines, review, subdivided.value(), assembly);
   result.time.review_s = seconds_since(reviewing);
+  // Where the review has used up the time, what follows is about a complex that is there.
+  if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();
   const Stop stop = watch.look();
   if (stop == Stop::kInterrupted)
