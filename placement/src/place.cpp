@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "blum/kernel/point_algebra.hpp"
 #include "equal_distance.hpp"
@@ -35,35 +36,78 @@ std::vector<Governors> choices_of(const CellComplex& complex, const Parts& parts
   return choices;
 }
 
+class Placer {
+ public:
+  Placer(const SiteGeometry& geometry, const InsideOracle& inside, const Parts& parts,
+         const ConeSides& sides, CellComplex& complex)
+      : geometry_(geometry), inside_(inside), parts_(parts), sides_(sides), complex_(complex) {}
+
+  PlacedPoints run() {
+    std::vector<std::vector<std::uint32_t>> of_cone(complex_.cone.size()),
+        at(complex_.vertex.size());
+    for (std::uint32_t t = 0; t < complex_.triangle.size(); ++t) {
+      of_cone[complex_.triangle[t].cone].push_back(t);
+      for (const auto v : corners(complex_, complex_.triangle[t])) at[v].push_back(t);
+    }
+    PlacedPoints count;
+    // Clusters of events on faces of leaves: these stay on their face.
+    for (std::uint32_t v = 0; v < complex_.vertex.size(); ++v)
+      if (!complex_.vertex[v].on_axis && complex_.vertex[v].kind != ComplexVertex::Kind::kCone &&
+          !at[v].empty())
+        count.on_part += place(v, at[v]) ? 1 : 0;
+    for (std::uint32_t c = 0; c < complex_.cone.size(); ++c) {
+      if (complex_.cone[c].boundary_vertex != ComplexCone::kNone) continue;
+      if (const auto choice = place(complex_.cone[c].apex, of_cone[c]))
+        ++(*choice == 0 ? count.moved : count.on_part);
+    }
+    for (const ComplexVertex& v : complex_.vertex) count.unconverged += v.on_axis ? 0 : 1;
+    return count;
+  }
+
+ private:
+  /// Returns which of the choices it was.
+  std::optional<std::size_t> place(std::uint32_t vertex,
+                                   const std::vector<std::uint32_t>& triangles) {
+    if (triangles.empty()) return std::nullopt;
+    const Frame& frame = geometry_.solid().frame;
+    const LeafSides& leaf = *sides_[complex_.triangle[triangles.front()].cone];
+    Box3 box = leaf.box();
+    std::vector<std::uint32_t> of_leaf;
+    for (const auto t : triangles) {
+      const LeafSides& other = *sides_[complex_.triangle[t].cone];
+      for (int k = 0; k < 3; ++k) {
+        box.lo[k] = std::max(box.lo[k], other.box().lo[k]);
+        box.hi[k] = std::min(box.hi[k], other.box().hi[k]);
+      }
+      if (&other == &leaf) of_leaf.push_back(t);
+    }
+    ComplexVertex& v = complex_.vertex[vertex];
+    const auto choices = choices_of(complex_, parts_, of_leaf);
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+      const auto found = equal_distance_point(geometry_, inside_, leaf.sides_of(choices[k]),
+                                              leaf.candidates(), box, frame.to_working(v.position));
+      if (!found) continue;
+      v.position = frame.to_model(found->position);
+      v.radius = frame.length_to_model(found->radius);
+      v.governors = found->governors;
+      v.on_axis = true;
+      return k;
+    }
+    return std::nullopt;
+  }
+
+  const SiteGeometry& geometry_;
+  const InsideOracle& inside_;
+  const Parts& parts_;
+  const ConeSides& sides_;
+  CellComplex& complex_;
+};
+
 }  // namespace
 
-PlacedPoints place_apexes(const SiteGeometry& geometry, const InsideOracle& inside,
+PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
                           const Parts& parts, const ConeSides& sides, CellComplex& complex) {
-  const Frame& frame = geometry.solid().frame;
-  std::vector<std::vector<std::uint32_t>> triangles(complex.cone.size());
-  for (std::uint32_t t = 0; t < complex.triangle.size(); ++t)
-    triangles[complex.triangle[t].cone].push_back(t);
-  PlacedPoints count;
-  for (std::uint32_t c = 0; c < complex.cone.size(); ++c) {
-    if (complex.cone[c].boundary_vertex != ComplexCone::kNone) continue;
-    ComplexVertex& apex = complex.vertex[complex.cone[c].apex];
-    const LeafSides& leaf = *sides[c];
-    const auto choices = choices_of(complex, parts, triangles[c]);
-    for (std::size_t k = 0; k < choices.size(); ++k) {
-      const auto found =
-          equal_distance_point(geometry, inside, leaf.sides_of(choices[k]), leaf.candidates(),
-                               leaf.box(), frame.to_working(apex.position));
-      if (!found) continue;
-      apex.position = frame.to_model(found->position);
-      apex.radius = frame.length_to_model(found->radius);
-      apex.governors = found->governors;
-      apex.on_axis = true;
-      ++(k == 0 ? count.moved : count.on_part);
-      break;
-    }
-  }
-  for (const ComplexVertex& v : complex.vertex) count.unconverged += v.on_axis ? 0 : 1;
-  return count;
+  return Placer(geometry, inside, parts, sides, complex).run();
 }
 
 }  // namespace blum

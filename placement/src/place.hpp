@@ -12,16 +12,18 @@
 namespace blum {
 
 struct PlacedPoints {
-  std::size_t moved = 0;    ///< apexes on the axis now, where all that meets in them ties
-  std::size_t on_part = 0;  ///< apexes on the axis, on some of what meets in them
+  std::size_t moved = 0;  ///< apexes on the axis now, where all that meets in them ties
+  std::size_t on_part =
+      0;  ///< points moved onto the axis, but only onto some of what meets in them
   std::size_t unconverged =
       0;  ///< vertices that are not known to be on the axis (on_axis == false)
 };
 
 /// Each apex goes to a point of its leaf that is equally far from all sides of the leaf (a point of
 /// its sheet, seam, junction or degenerate junction); where none is found, to one on a seam or a
-/// sheet over its base; else it stays. Other vertices stay.
-[[nodiscard]] PlacedPoints place_apexes(const SiteGeometry& geometry, const InsideOracle& inside,
+/// sheet over its base; else it stays. A cluster of events that is not on the axis goes to such a
+/// point on its leaves' common face. Other vertices stay.
+[[nodiscard]] PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
                                         const Parts& parts, const ConeSides& sides,
                                         CellComplex& complex);
 

@@ -78,7 +78,7 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
             ? sides.back()
             : std::make_shared<const LeafSides>(geometry, axis.subdivision.leaf[cone[c].leaf]));
   const InsideOracle& inside = axis.engines.inside();
-  const PlacedPoints placed = place_apexes(geometry, inside, axis.parts, sides, axis.complex);
+  const PlacedPoints placed = place_points(geometry, inside, axis.parts, sides, axis.complex);
   report.place_s += clock.lap();
   report.moved = placed.moved;
   report.on_part = placed.on_part;

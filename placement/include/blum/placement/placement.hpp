@@ -30,7 +30,7 @@ struct PlacementOptions {
 
 struct PlacementReport {
   std::size_t moved = 0;        ///< apexes on the sheet, seam or junction that they stand for
-  std::size_t on_part = 0;      ///< apexes on the axis, but only on a part of what meets in them
+  std::size_t on_part = 0;      ///< points on the axis, but only on a part of what meets in them
   std::size_t unconverged = 0;  ///< points of the mesh that stay off the axis
   std::size_t rounds = 0;       ///< of dividing leaves
   std::size_t leaves_by_diameter = 0;  ///< whose bound is their diameter
