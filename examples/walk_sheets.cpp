@@ -13,17 +13,6 @@
 
 namespace {
 
-/// The three corners of a triangle. Cells are given by their edges, because two edges of a cell
-/// complex may join the same two vertices.
-std::set<std::uint32_t> corners(const blum::CellComplex& complex,
-                                const blum::ComplexTriangle& triangle) {
-  std::set<std::uint32_t> result;
-  for (const std::uint32_t edge : triangle.edge) {
-    result.insert(complex.edge[edge].vertex.begin(), complex.edge[edge].vertex.end());
-  }
-  return result;
-}
-
 double area(const blum::Point3& a, const blum::Point3& b, const blum::Point3& c) {
   const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
   const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
@@ -51,7 +40,7 @@ std::vector<Sheet> collect_sheets(const blum::MedialResult& result) {
       sheet.least_radius = std::min(sheet.least_radius, vertex.radius);
       sheet.greatest_radius = std::max(sheet.greatest_radius, vertex.radius);
     }
-    if (points.size() == 3) sheet.area += area(points[0], points[1], points[2]);
+    sheet.area += area(points[0], points[1], points[2]);
   }
   return sheets;
 }

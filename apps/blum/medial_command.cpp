@@ -21,6 +21,11 @@
 #include "blum/medial/medial_axis.hpp"
 #include "blum/medial/simplify.hpp"
 #include "blum/medial/summary.hpp"
+#include "blum/placement/feet.hpp"
+#include "blum/placement/placement.hpp"
+#include "blum/placement/placement_summary.hpp"
+#include "blum/placement/reconstruction.hpp"
+#include "blum/placement/smooth.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "hints.hpp"
@@ -35,7 +40,8 @@ namespace fs = std::filesystem;
 
 struct MedialArguments {
   std::string model, prefix, summary, flattened, graph, certificate;
-  double epsilon = 0, coplanar_tolerance = 0;  // of the diagonal
+  double epsilon = 0, leaf_diameter = 0, edge_length = 0, coplanar_tolerance = 0;  // of the diagonal
+  bool smooth = false, feet = false, reconstruction = false;
   std::uint64_t max_memory_mib = 0;            // 0: no limit
   std::optional<double> theta;                 // degrees
   Simplify simplify = Simplify::kHomotopy;
@@ -80,13 +86,14 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-constexpr const char* kUndecidedSuffix = ".undecided.vtp";
+constexpr const char *kUndecidedSuffix = ".undecided.vtp", *kFeetSuffix = ".feet.vtp";
 
 /// The files a run is going to write; the one of what is undecided, which it writes or removes, is
 /// not among them.
 std::vector<fs::path> outputs(const MedialArguments& arguments) {
   std::vector<fs::path> files;
   for (const char* suffix : {".ma", ".vtp", ".obj"}) files.emplace_back(arguments.prefix + suffix);
+  if (arguments.feet) files.emplace_back(arguments.prefix + kFeetSuffix);
   for (const std::string& name : {arguments.summary, arguments.flattened, arguments.theta_csv,
                                   arguments.graph, arguments.certificate}) {
     if (!name.empty()) files.emplace_back(name);
@@ -153,6 +160,11 @@ int interrupted() {
 
 int run_medial(MedialArguments arguments) {
   if (!(arguments.epsilon >= 0)) return report_usage("--epsilon: not a length");
+  if (!(arguments.leaf_diameter >= 0)) return report_usage("--leaf-diameter: not a length");
+  if (!(arguments.edge_length >= 0)) return report_usage("--edge-length: not a length");
+  if (arguments.smooth && !arguments.certificate.empty()) {
+    return report_usage("--smooth: for display only, a certificate is about the exact result");
+  }
   if (!(arguments.coplanar_tolerance >= 0 && arguments.coplanar_tolerance <= 1)) {
     return report_usage("--coplanar-tolerance: not in [0, 1]");
   }
@@ -212,7 +224,15 @@ int run_medial(MedialArguments arguments) {
     std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
   }
   arguments.options.max_memory_bytes = arguments.max_memory_mib << 20;
-  arguments.options.max_leaf_diameter = arguments.epsilon * diagonal(mesh.value());
+  const double unit = diagonal(mesh.value());
+  const bool medial = arguments.kind == DiagramKind::kMedial;
+  arguments.options.max_leaf_diameter =
+      (medial ? arguments.leaf_diameter : arguments.epsilon) * unit;
+  std::optional<AxisPlacement> placement;
+  if (medial) {
+    placement.emplace(solid.value(), PlacementOptions{arguments.epsilon * unit,
+                                                      arguments.edge_length * unit});
+  }
   if (const auto problem = output_problem(files)) return report(*problem);
 
   const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
@@ -241,8 +261,8 @@ int run_medial(MedialArguments arguments) {
       bar.show(progress);
       return interrupted_by() == 0;
     };
-    return arguments.kind == DiagramKind::kMedial
-               ? compute_medial_axis(solid.value(), arguments.options, arguments.angles, sink)
+    return medial ? compute_medial_axis(solid.value(), arguments.options, arguments.angles, sink,
+                                        placement->review())
                : compute_voronoi_diagram(solid.value(), arguments.options);
   };
   const Result<MedialResult> result = compute();
@@ -260,13 +280,25 @@ int run_medial(MedialArguments arguments) {
     }
   }
 
+  // What the files hold: the mesh of the complex, smoothed or pruned where that is asked for.
+  MedialResult drawn = placement ? placement->realized(result.value()) : result.value();
+  if (placement) {
+    summary.sections.push_back(placement_section(placement->report(), placement->mesh(), unit));
+  }
+  if (arguments.reconstruction) {
+    summary.sections.push_back(reconstruction_section(
+        reconstruction_error(solid.value(), drawn.complex, {}), unit));
+  }
+  if (arguments.smooth) {
+    summary.sections.push_back(smooth_section(smooth_sheets(drawn, solid.value(), {}), unit));
+  }
   summary.solid = &solid.value();
   summary.result = &result.value();
   summary.total_s = total.lap();
   summary.peak_memory_bytes = peak_memory_bytes();
   std::optional<MedialResult> pruned;
   if (arguments.theta) {
-    pruned = simplified(result.value(), *arguments.theta, arguments.simplify);
+    pruned = simplified(drawn, *arguments.theta, arguments.simplify);
     summary.pruned = &*pruned;
     summary.theta_deg = *arguments.theta;
     summary.simplify = arguments.simplify;
@@ -288,8 +320,14 @@ int run_medial(MedialArguments arguments) {
                                           : graph_graphml(graph, solid.value())});
   }
   if (const auto error =
-          write_medial(pruned ? *pruned : result.value(), solid.value(), arguments.prefix, texts)) {
+          write_medial(pruned ? *pruned : drawn, solid.value(), arguments.prefix, texts)) {
     return report(*error);
+  }
+  if (arguments.feet) {
+    if (const auto error = write_feet(sheet_feet(*placement, result.value().parts), drawn.parts,
+                                      solid.value(), arguments.prefix + kFeetSuffix)) {
+      return report(*error);
+    }
   }
   std::cout << summary_text(summary);
   if (!hints.value().text.empty()) {
@@ -300,7 +338,8 @@ int run_medial(MedialArguments arguments) {
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
   for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
-  return certified ? kSuccess : kNotCertified;
+  const bool reached = !placement || placement->report().reached;
+  return certified && reached ? kSuccess : kNotCertified;
 }
 
 /// The options that both commands have.
@@ -363,6 +402,24 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
   medial->add_option("--certificate", arguments.certificate,
                      "Write what `blum verify` needs to check the result to this file. Such a\n"
                      "run uses no cutting planes, so its leaves may differ");
+  medial
+      ->add_option("--edge-length", arguments.edge_length,
+                   "Longest edge of the meshes of sheets, seams and rims, as a fraction of the\n"
+                   "diagonal; 0: that of the cells, or 0.4 times the root of --epsilon")
+      ->capture_default_str();
+  medial
+      ->add_option("--leaf-diameter", arguments.leaf_diameter,
+                   "Divide all leaves that meet the axis down to this fraction of the diagonal;\n"
+                   "0: no more than topology and --epsilon need")
+      ->capture_default_str();
+  medial->add_flag("--feet", arguments.feet,
+                   "Write PREFIX.feet.vtp: both feet of every point of every sheet, as patches of\n"
+                   "the boundary");
+  medial->add_flag("--smooth", arguments.smooth,
+                   "Smooth the sheets for display; seams and rims stay. The files then do not hold\n"
+                   "the certified positions, and say so");
+  medial->add_flag("--reconstruction", arguments.reconstruction,
+                   "Report how far the union of the axis' balls is from the boundary");
   medial->add_flag("--angles", arguments.with_angles,
                    "Bound the separation angles of all parts, and write them to PREFIX.vtp");
   CLI::Option* const theta = medial->add_option(

@@ -15,6 +15,15 @@ double Frame::length_to_model(double working_length) const {
   return std::ldexp(working_length, exponent);
 }
 
+Point3 Frame::to_working(const Point3& m) const {
+  return {std::ldexp(m.x - origin.x, -exponent), std::ldexp(m.y - origin.y, -exponent),
+          std::ldexp(m.z - origin.z, -exponent)};
+}
+
+double Frame::length_to_working(double model_length) const {
+  return std::ldexp(model_length, -exponent);
+}
+
 namespace {
 
 // Below this ratio of distance to extent a translation gains too few bits to be worth a frame that

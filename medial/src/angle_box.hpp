@@ -8,7 +8,7 @@
 
 #include "angle_directions.hpp"
 #include "blum/arrangement/production_engine.hpp"
-#include "leaf_groups.hpp"
+#include "blum/medial/leaf_groups.hpp"
 
 namespace blum {
 

@@ -468,12 +468,6 @@ void Assembler::add_leaf(std::uint32_t index) {
     sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
     n += 1;
   }
-  const auto to_working = [&](const Point3& p) {
-    Point3 x;
-    for (int k = 0; k < 3; ++k)
-      x[k] = std::ldexp(p[k] - solid_.frame.origin[k], -solid_.frame.exponent);
-    return x;
-  };
   // Points of the solid, or of its outside where that is wanted.
   const auto is_wanted = [&](const Point3& x) {
     return engines_.inside().locate(x) == (one_sided_ && !inside_wanted_
@@ -485,7 +479,7 @@ void Assembler::add_leaf(std::uint32_t index) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto v : vertices) {
       if (components.find(local.at(v)) != component || complex_.vertex[v].radius == 0) continue;
-      const Point3 y = to_working(complex_.vertex[v].position);
+      const Point3 y = solid_.frame.to_working(complex_.vertex[v].position);
       const double d = std::hypot(y.x - x.x, y.y - x.y, y.z - x.z);
       if (d < least && is_wanted(y)) {
         least = d;
@@ -501,7 +495,8 @@ void Assembler::add_leaf(std::uint32_t index) {
       placed.on_axis = true;
       placed.governors = {geometry_.index().vertex(leaf.boundary_vertex)};
     } else {
-      Point3 x = to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
+      Point3 x =
+          solid_.frame.to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
       for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
       if ((medial_ || one_sided_) && !is_wanted(x)) x = nearest_base(component, x);

@@ -7,6 +7,7 @@
 
 #include "assemble.hpp"
 #include "blum/arrangement/part_record.hpp"
+#include "blum/kernel/check.hpp"
 #include "blum/verify/verify.hpp"
 
 namespace blum {
@@ -142,6 +143,8 @@ Json Writer::cells(const CellComplex& complex) {
       case ComplexVertex::Kind::kCone:
         ++count["apices"];
         break;
+      case ComplexVertex::Kind::kMesh:
+        BLUM_CHECK(false);  // certificates are about the complex
     }
   for (const ComplexEdge& e : complex.edge)
     ++count[e.kind == ComplexEdge::Kind::kArc          ? "arcs"

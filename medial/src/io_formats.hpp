@@ -21,8 +21,4 @@ void put_undecided(OutputStream& out, std::span<const UndecidedCell> cells);
 /// edges, the border of what is undecided).
 [[nodiscard]] std::vector<std::uint32_t> drawn_edges(const MedialResult& result);
 
-/// The vertices of a triangle: both ends of its base, then the apex.
-[[nodiscard]] std::array<std::uint32_t, 3> corners(const CellComplex& complex,
-                                                   const ComplexTriangle& triangle);
-
 }  // namespace blum::detail

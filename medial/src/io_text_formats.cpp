@@ -23,11 +23,6 @@ std::vector<std::uint32_t> drawn_edges(const MedialResult& result) {
   return drawn;
 }
 
-std::array<std::uint32_t, 3> corners(const CellComplex& complex, const ComplexTriangle& triangle) {
-  const auto& base = complex.edge[triangle.edge[0]].vertex;
-  return {base[0], base[1], complex.cone[triangle.cone].apex};
-}
-
 void put_ma(OutputStream& out, const MedialResult& result) {
   const CellComplex& k = result.complex;
   out << k.vertex.size() << ' ' << k.edge.size() << ' ' << k.triangle.size() << '\n';

@@ -40,7 +40,7 @@ class VtpWriter {
     solid();
     undecided();
     edges();
-    DataArray<std::uint8_t>(out_, "certified", 1).put(result_.certified ? 1 : 0);
+    DataArray<std::uint8_t>(out_, "certified", 1).put(result_.certified && !result_.smoothed ? 1 : 0);
     DataArray<std::uint64_t>(out_, "seed", 1).put(result_.seed);
   }
 

@@ -1,4 +1,4 @@
-#include "leaf_groups.hpp"
+#include "blum/medial/leaf_groups.hpp"
 
 #include <algorithm>
 #include <bit>

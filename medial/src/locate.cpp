@@ -8,6 +8,14 @@
 #include "blum/kernel/closest_point.hpp"
 
 namespace blum {
+namespace {
+
+/// Working units. Differences of distances up to the first may be rounding; brackets up to the
+/// second are good positions anyway.
+constexpr double kGapNoise = 1e-13, kFineBracket = 1e-10;
+
+}  // namespace
+
 Placed Locator::anywhere(const Point3& x, std::span<const SiteId> candidates) const {
   Placed p;
   p.position = x;
@@ -35,11 +43,27 @@ Placed Locator::tie(const Segment& line, const Breakpoint& breakpoint,
     return nearest_foot(geometry_, below, at(t)).distance -
            nearest_foot(geometry_, above, at(t)).distance;
   };
+  // Where feet are so near to each other that the gap is rounding, exact governors tell the side.
+  const auto certain_side = [&](double t) {
+    std::vector<SiteId> governors;
+    engine_.predicates().governors(at(t), candidates, governors);
+    const auto all_in = [&](const std::vector<SiteId>& group) {
+      return std::all_of(governors.begin(), governors.end(), [&](SiteId s) {
+        return std::find(group.begin(), group.end(), s) != group.end();
+      });
+    };
+    return governors.empty() ? 0 : all_in(below) ? -1 : all_in(above) ? 1 : 0;
+  };
   // The gap rises from the governor below to the one above: bisection.
   for (int k = 0; k < 200; ++k) {
     const double m = 0.5 * lo + 0.5 * hi;
     if (!(m > lo && m < hi)) break;
-    (gap(m) > 0 ? hi : lo) = m;
+    double side = gap(m);
+    if (std::abs(side) <= kGapNoise && hi - lo > kFineBracket) {
+      const int certain = certain_side(m);
+      if (certain != 0) side = certain;
+    }
+    (side > 0 ? hi : lo) = m;
   }
   const double t = 0.5 * lo + 0.5 * hi;
   Placed p = anywhere(at(t), candidates);

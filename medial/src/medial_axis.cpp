@@ -8,6 +8,7 @@
 #include "assemble.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
@@ -15,6 +16,7 @@
 #include "blum/subdivision/sided_face.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
 #include "certificate.hpp"
+#include "blum/medial/review.hpp"
 #include "part_angles.hpp"
 
 namespace blum {
@@ -25,10 +27,6 @@ constexpr double kExtension = 0.05, kLeastExtension = 0.5;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double diameter(const Box3& b) {
-  return std::hypot(b.hi.x - b.lo.x, b.hi.y - b.lo.y, b.hi.z - b.lo.z);
 }
 
 UndecidedReason reason_of(Stop stop) {
@@ -94,9 +92,42 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
   return check;
 }
 
+bool any_undecided(const Subdivision& subdivision) {
+  return std::any_of(
+      subdivision.leaf.begin(), subdivision.leaf.end(),
+      [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
+}
+
+/// Leaves that a review finds too coarse are divided into parts of half their size.
+constexpr double kPartOfLeaf = 0.55;
+
+/// Divides leaves until the review is content or the budget is out; a step that would leave
+/// something undecided is undone. Returns what the last review said.
+ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionOptions& options,
+                                EngineSet& engines, const AxisReview& review,
+                                Subdivision& subdivision, Assembly& assembly) {
+  bool last = any_undecided(subdivision) || !assembly.undecided.empty();
+  for (;;) {
+    const Parts parts = read_parts(assembly.complex);
+    ReviewVerdict verdict =
+        review({geometry, subdivision, engines, assembly.complex, parts, last});
+    if (verdict.divide.empty() || last) return verdict;
+    last = true;
+    Result<Subdivision> finer =
+        refine(geometry, options, engines, subdivision, verdict.divide, kPartOfLeaf);
+    if (!finer || engines.watch().look() != Stop::kNone || any_undecided(finer.value()))
+      return verdict;
+    Assembly next = assemble(geometry, finer.value(), engines);
+    if (next.stopped || !next.undecided.empty()) return verdict;
+    subdivision = std::move(finer.value());
+    assembly = std::move(next);
+    last = false;
+  }
+}
+
 Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
                              const AngleOptions& angles, const CertificateSink& certificate,
-                             DiagramKind kind) {
+                             const AxisReview& review, DiagramKind kind) {
   if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 ||
       !(options.time_limit_s >= 0) || !(options.max_leaf_diameter >= 0) ||
       (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
@@ -138,11 +169,21 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   const auto middle = std::chrono::steady_clock::now();
   watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
   Assembly assembly = assemble(geometry, subdivided.value(), engines);
+  result.time.assemble_s = seconds_since(middle);
+  const auto reviewing = std::chrono::steady_clock::now();
+  std::optional<ReviewVerdict> verdict;
+  if (review && !assembly.stopped)
+    verdict = review_and_refine(geometry, used, engines, review, subdivided.value(), assembly);
+  result.time.review_s = seconds_since(reviewing);
+  // Where the review has used up the time, what follows is about a complex that is there.
+  if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();
   const Stop stop = watch.look();
   if (stop == Stop::kInterrupted)
     return Error{ErrorCode::kInterrupted, "interrupted during assembly", "", {}};
+  const auto late = std::chrono::steady_clock::now();
   report_leaves(solid.frame, subdivided.value(), assembly, stop, result);
+  if (verdict) result.hausdorff_bound = verdict->hausdorff_bound;
   result.complex = std::move(assembly.complex);
   result.parts = read_parts(result.complex);
   result.certified = result.undecided.empty() && !assembly.stopped;
@@ -162,14 +203,14 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     }
     result.certified = result.certified && result.voronoi->holds();
   }
-  result.time.assemble_s = seconds_since(middle);
+  result.time.assemble_s += seconds_since(late);
   if (angles.wanted) {
-    const auto late = std::chrono::steady_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     result.angles =
         part_angles(geometry, subdivided.value(), engines, result.complex, result.parts, angles);
     result.filtration = filter(result.complex, result.parts,
                                cell_costs(result.complex, result.parts, *result.angles));
-    result.time.angles_s = seconds_since(late);
+    result.time.angles_s = seconds_since(begin);
     watch.rethrow();
     if (watch.look() == Stop::kInterrupted)
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
@@ -185,12 +226,13 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
 
 Result<MedialResult> compute_medial_axis(const Solid& solid, const MedialOptions& options,
                                          const AngleOptions& angles,
-                                         const CertificateSink& certificate) {
-  return compute(solid, options, angles, certificate, DiagramKind::kMedial);
+                                         const CertificateSink& certificate,
+                                         const AxisReview& review) {
+  return compute(solid, options, angles, certificate, review, DiagramKind::kMedial);
 }
 
 Result<MedialResult> compute_voronoi_diagram(const Solid& solid, const MedialOptions& options) {
-  return compute(solid, options, {}, {}, DiagramKind::kVoronoi);
+  return compute(solid, options, {}, {}, {}, DiagramKind::kVoronoi);
 }
 
 }  // namespace blum

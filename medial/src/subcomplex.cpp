@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "parts_numbering.hpp"
 
 namespace blum {
@@ -26,13 +27,9 @@ std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& list, std::
 }
 
 double area_of(const CellComplex& k, const ComplexTriangle& t) {
-  const auto& base = k.edge[t.edge[0]].vertex;
-  const auto& spoke = k.edge[t.edge[1]].vertex;
-  const auto apex = spoke[0] == base[0] || spoke[0] == base[1] ? spoke[1] : spoke[0];
-  const Point3 &a = k.vertex[base[0]].position, &b = k.vertex[base[1]].position,
-               &c = k.vertex[apex].position;
-  const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
-  return 0.5 * std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+  const auto [p, q, r] = corners(k, t);
+  const Point3 &a = k.vertex[p].position, &b = k.vertex[q].position, &c = k.vertex[r].position;
+  return 0.5 * length(cross(b - a, c - a));
 }
 
 }  // namespace

@@ -174,6 +174,8 @@ std::string summary_json(const SummaryInput& input) {
     }
     json["undecided"] = undecided_cells(r.undecided);
   }
+  for (const SummarySection& section : input.sections)
+    json[section.name] = Json::parse(section.json);
   // File names need not be UTF-8: bytes that are not are replaced, never a reason to fail.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -236,6 +238,8 @@ std::string summary_text(const SummaryInput& input) {
     append(text, ", Betti numbers %ld %ld %ld\n", input.pruned->betti[0], input.pruned->betti[1],
            input.pruned->betti[2]);
   }
+
+  for (const SummarySection& section : input.sections) text += section.text;
 
   const double decisions =
       static_cast<double>(r.stages.filter + r.stages.extended + r.stages.exact);

@@ -125,6 +125,8 @@ void check_places(Subdivided& run, const CellComplex& c) {
         break;
       case Kind::kCone:
         break;
+      case Kind::kMesh:
+        ADD_FAILURE() << "a point of a finer mesh";
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blum/arrangement/common_point.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/subdivision/voronoi_cell_test.hpp"
 #include "meeting.hpp"
 #include "sided_cell.hpp"
@@ -96,7 +97,7 @@ CellOutcome CellWorker::work(Cell& cell) {
       if (inherited) diagrams.adopt(inherited);
     const CellVerdict verdict = test(cell, diagrams, leaf);
     stats_.faces_computed += diagrams.faces_computed();
-    if (verdict == CellVerdict::kAccepted && (!leaf.has_axis || fine_enough(cell.box))) {
+    if (verdict == CellVerdict::kAccepted && (!leaf.has_axis || fine_enough(cell))) {
       leaf.candidates = std::move(cell.candidates);
       leaf.triangles = std::move(cell.triangles);
       leaf.face = std::move(cell.face);
@@ -131,7 +132,7 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   const bool resolve = options_.resolve && diameter > kResolveFraction * work_.root_diameter;
   CellOracles oracles;
   oracles.connected_at = [this](std::uint32_t v) { return connected_at(v); };
-  if (options_.cuts && fine_enough(cell.box))
+  if (options_.cuts && fine_enough(cell))
     oracles.section = [&](const CutPlane& plane) {
       return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
                                  cell.candidates, cell.triangles);
@@ -159,11 +160,11 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   return verdict(a.verdict);
 }
 
-bool CellWorker::fine_enough(const Box3& box) const {
-  if (options_.max_leaf_diameter <= 0) return true;
-  const Box3 model{solid_.frame.to_model(box.lo), solid_.frame.to_model(box.hi)};
-  return std::hypot(model.hi.x - model.lo.x, model.hi.y - model.lo.y, model.hi.z - model.lo.z) <=
-         options_.max_leaf_diameter;
+bool CellWorker::fine_enough(const Cell& cell) const {
+  const double length = diameter(cell.box);
+  return length <= cell.largest_diameter &&
+         (options_.max_leaf_diameter <= 0 ||
+          solid_.frame.length_to_model(length) <= options_.max_leaf_diameter);
 }
 
 CellOutcome CellWorker::divide(Cell& cell, bool tested) {
@@ -206,6 +207,7 @@ std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
       half->box = cell.box;
       half->depth = cell.depth + 1;
       half->stuck = cell.stuck;
+      half->largest_diameter = cell.largest_diameter;
     }
     const auto low_face = static_cast<std::size_t>(2 * axis), high_face = low_face + 1;
     s.low.box.hi[axis] = s.high.box.lo[axis] = m;

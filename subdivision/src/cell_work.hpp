@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,8 @@ struct Cell {
   Box3 box;
   int depth = 0;
   int stuck = 0;  ///< bisections since a candidate was lost
+  /// Of the leaves in it that meet the axis, working units.
+  double largest_diameter = std::numeric_limits<double>::infinity();
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
@@ -78,7 +81,7 @@ class CellWorker {
   }
   [[nodiscard]] bool is_beyond(const Cell& cell) const;
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
-  [[nodiscard]] bool fine_enough(const Box3& box) const;
+  [[nodiscard]] bool fine_enough(const Cell& cell) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
   [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);
   [[nodiscard]] bool connected_at(std::uint32_t vertex);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "blum/kernel/parallel.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/subdivision/engine_set.hpp"
 #include "cell_work.hpp"
 
@@ -42,10 +43,16 @@ class Subdivider {
   Subdivider(const SiteGeometry& geometry, const SubdivisionOptions& options, EngineSet& engines)
       : engines_(engines), work_{geometry, options, engines} {}
 
-  Result<Subdivision> run();
+  Result<Subdivision> run() {
+    add_root();
+    return finish();
+  }
+  Result<Subdivision> run(const Subdivision& coarse, std::span<const std::uint32_t> leaves,
+                          double fraction);
 
  private:
   void add_root();
+  Result<Subdivision> finish();
   void work(int thread);
   /// Waits for a cell; nothing: there will be none.
   [[nodiscard]] std::optional<Cell> take();
@@ -196,8 +203,32 @@ Subdivision Subdivider::numbered() {
   return r;
 }
 
-Result<Subdivision> Subdivider::run() {
+Result<Subdivision> Subdivider::run(const Subdivision& coarse,
+                                    std::span<const std::uint32_t> leaves, double fraction) {
   add_root();
+  stack_.clear();
+  result_ = coarse;
+  work_.nodes = coarse.node.size();
+  std::vector<bool> again(coarse.leaf.size(), false);
+  for (const auto l : leaves) again[l] = true;
+  for (std::uint32_t n = 0; n < coarse.node.size(); ++n) {
+    const CellNode& node = coarse.node[n];
+    if (node.axis >= 0 || !again[node.leaf]) continue;
+    const Leaf& leaf = coarse.leaf[node.leaf];
+    Cell cell;
+    cell.node = n;
+    cell.box = leaf.box;
+    cell.depth = node.depth;
+    cell.largest_diameter = fraction * diameter(leaf.box);
+    cell.candidates = leaf.candidates;
+    cell.triangles = leaf.triangles;
+    cell.face = leaf.face;
+    stack_.push_back(std::move(cell));
+  }
+  return finish();
+}
+
+Result<Subdivision> Subdivider::finish() {
   in_parallel(engines_.threads(), [this](int thread) { work(thread); });
   engines_.watch().rethrow();
   const Stop stop = engines_.watch().look();
@@ -215,6 +246,12 @@ Result<Subdivision> Subdivider::run() {
 Result<Subdivision> subdivide(const SiteGeometry& geometry, const SubdivisionOptions& options,
                               EngineSet& engines) {
   return Subdivider(geometry, options, engines).run();
+}
+
+Result<Subdivision> refine(const SiteGeometry& geometry, const SubdivisionOptions& options,
+                           EngineSet& engines, const Subdivision& coarse,
+                           std::span<const std::uint32_t> leaves, double fraction) {
+  return Subdivider(geometry, options, engines).run(coarse, leaves, fraction);
 }
 
 }  // namespace blum

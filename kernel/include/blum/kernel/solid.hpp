@@ -24,6 +24,9 @@ struct Frame {
   int exponent = 0;
   [[nodiscard]] Point3 to_model(const Point3& working) const;
   [[nodiscard]] double length_to_model(double working_length) const;
+  /// Exact for the solid's points; others are rounded.
+  [[nodiscard]] Point3 to_working(const Point3& model) const;
+  [[nodiscard]] double length_to_working(double model_length) const;
 };
 
 /// Interior dihedral angle, decided exactly: convex < 180 degrees, flat == 180, reflex > 180.

@@ -20,6 +20,7 @@ struct ComplexVertex {
     kConvexEdge,  ///< a convex boundary edge crosses a face of the subdivision (radius 0)
     kBoundary,    ///< a boundary vertex where convex edges meet (radius 0)
     kCone,        ///< the apex of a leaf
+    kMesh,        ///< on an edge of the certified complex, or in one of its triangles (finer meshes)
   };
   Point3 position;       ///< model units
   double radius = 0;     ///< model units: distance from `position` to ∂O
@@ -41,7 +42,8 @@ struct ComplexEdge {
 };
 
 /// Cone over one edge (kArc or kConvexEdge) with apex `cone`. edge[0] is the base, edge[1] joins
-/// the base's vertex[0] to the apex, edge[2] the base's vertex[1].
+/// the base's vertex[0] to the apex, edge[2] the base's vertex[1]. In finer meshes a part of such a
+/// cone, with any edge for base.
 struct ComplexTriangle {
   std::array<std::uint32_t, 3> edge;
   std::uint32_t cone = 0;
@@ -63,6 +65,10 @@ struct CellComplex {
   std::vector<ComplexTriangle> triangle;
   std::vector<ComplexCone> cone;
 };
+
+/// Its vertices: the ends of edge[0] in their order, then the one that edge[1] joins the first to.
+[[nodiscard]] std::array<std::uint32_t, 3> corners(const CellComplex& complex,
+                                                   const ComplexTriangle& triangle);
 
 /// Betti numbers b0, b1, b2 over Z/2.
 [[nodiscard]] std::array<long, 3> betti_numbers(const CellComplex& complex);

@@ -14,6 +14,7 @@
 #include "blum/medial/angles.hpp"
 #include "blum/medial/complex.hpp"
 #include "blum/medial/parts.hpp"
+#include "blum/medial/review.hpp"
 #include "blum/subdivision/subdivision.hpp"
 
 namespace blum {
@@ -27,7 +28,7 @@ struct UndecidedCell {
 };
 
 struct PhaseTimes {
-  double subdivide_s = 0, assemble_s = 0, angles_s = 0;
+  double subdivide_s = 0, assemble_s = 0, review_s = 0, angles_s = 0;
 };
 
 /// The check of a Voronoi diagram VD in its box B (docs/proofs.md, "Euler's formula in the box" and
@@ -63,6 +64,7 @@ struct VoronoiCheck {
 struct MedialResult {
   DiagramKind kind = DiagramKind::kMedial;
   bool certified = false;
+  bool smoothed = false;    ///< positions are for display: of the complex alone is it certified
   CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
   std::optional<PartAngles> angles;  ///< if wanted; the filtration by them too
@@ -78,7 +80,8 @@ struct MedialResult {
   std::size_t site_pairs = 0;  ///< of a cell and a site that were looked at: what hints save
   int max_depth = 0;
   std::vector<UndecidedCell> undecided;
-  /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter.
+  /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter,
+  /// or what a review found.
   double hausdorff_bound = 0;
   StageCounts stages;  ///< depends on the number of threads, the complex does not
   PhaseTimes time;
@@ -89,6 +92,9 @@ struct MedialResult {
 /// Takes one line of a certificate (docs/certificate.md), without its end; false stops the writing.
 using CertificateSink = std::function<bool(const std::string&)>;
 
+/// The review, where asked for, moves the points of the complex, bounds its distance from the axis
+/// and has leaves divided that are too coarse (review.hpp).
+///
 /// Errors: kInterrupted; kBadArgument. Running out of a budget is not an error: the result says
 /// certified == false and lists what is undecided. The time limit
 /// is that of the subdivision; a twentieth of it (at least half a second) is added for assembling
@@ -100,7 +106,8 @@ using CertificateSink = std::function<bool(const std::string&)>;
 [[nodiscard]] Result<MedialResult> compute_medial_axis(const Solid& solid,
                                                        const MedialOptions& options,
                                                        const AngleOptions& angles = {},
-                                                       const CertificateSink& certificate = {});
+                                                       const CertificateSink& certificate = {},
+                                                       const AxisReview& review = {});
 
 /// The same for the Voronoi diagram of all sites that are not degenerate, in a box around the solid
 /// (root_box), or the part of it in the closed solid or in the closure of the rest (options.side;

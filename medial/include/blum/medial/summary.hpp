@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "blum/kernel/flatten.hpp"
 #include "blum/kernel/solid.hpp"
@@ -10,6 +11,13 @@
 #include "blum/medial/simplify.hpp"
 
 namespace blum {
+
+/// What another module has to say of a run.
+struct SummarySection {
+  std::string name;  ///< key of the JSON summary
+  std::string json;  ///< its value
+  std::string text;  ///< lines for people, each ended by a line break
+};
 
 struct SummaryInput {
   std::string model;  ///< as the caller names it
@@ -24,6 +32,7 @@ struct SummaryInput {
   double theta_deg = 0;
   Simplify simplify = Simplify::kHomotopy;
   const FlattenReport* flattened = nullptr;  ///< what was changed before, if anything was asked for
+  std::vector<SummarySection> sections;      ///< added at the end, in their order
 };
 
 /// Highest resident memory of this process so far; 0 where the system does not tell.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "blum/arrangement/diagram_engine.hpp"
@@ -134,5 +135,13 @@ class EngineSet;
 /// same geometry and options. Error kInterrupted if on_progress returned false.
 [[nodiscard]] Result<Subdivision> subdivide(const SiteGeometry& geometry,
                                             const SubdivisionOptions& options, EngineSet& engines);
+
+/// `coarse` with the given leaves, which are accepted, divided until those of their parts that meet
+/// the axis have at most `fraction` of their diameter. All other leaves stay as they are; numbers
+/// of leaves change. What is undecided in the answer was certified before.
+[[nodiscard]] Result<Subdivision> refine(const SiteGeometry& geometry,
+                                         const SubdivisionOptions& options, EngineSet& engines,
+                                         const Subdivision& coarse,
+                                         std::span<const std::uint32_t> leaves, double fraction);
 
 }  // namespace blum

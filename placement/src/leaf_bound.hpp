@@ -1,0 +1,43 @@
+/// The two-sided Hausdorff distance between the medial axis and triangles that stand for it, inside
+/// one leaf (docs/proofs.md, "Distance between axis and complex").
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "axis_distance.hpp"
+#include "blum/arrangement/production_engine.hpp"
+
+namespace blum {
+
+/// A triangle of the complex in a leaf. Working frame.
+struct LeafTriangle {
+  std::array<Point3, 3> corner;
+  std::array<bool, 3> on_rim{};  ///< lies on a convex edge, which bounds the axis
+  SiteGroup a, b;                ///< of the sheet that it belongs to
+};
+
+/// What one thread bounds with.
+struct BoundTools {
+  const SiteGeometry& geometry;
+  ProductionEngine& engine;
+  const SiteTree& tree;
+  const InsideOracle& inside;
+  const std::atomic<bool>& stop;
+  /// How often it was looked: boxes for points of the axis, points of the triangles.
+  std::size_t boxes = 0, points = 0;
+};
+
+/// Is every point of the triangles certainly within `target` of the axis, and every point of the
+/// axis in the leaf within `target` of a triangle? Returns the largest bound that was used, at most
+/// `target`; nullopt: not shown (it may be true at a finer look, which is not worth it).
+[[nodiscard]] std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
+                                                  const std::vector<LeafTriangle>& triangles,
+                                                  double target);
+
+/// Distance from x to the triangle, in double, to about 1e-14.
+[[nodiscard]] double distance_to(const std::array<Point3, 3>& triangle, const Point3& x);
+
+}  // namespace blum

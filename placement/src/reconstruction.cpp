@@ -1,0 +1,137 @@
+#include "blum/placement/reconstruction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <vector>
+
+#include "blum/kernel/point_algebra.hpp"
+#include "blum/kernel/site_tree.hpp"
+#include "extent.hpp"
+
+namespace blum {
+namespace {
+
+constexpr double kRounding = 1e-13;  // working units
+
+struct WorkingBall {
+  Point3 center;
+  double radius = 0;
+};
+
+/// Part of a boundary triangle, with the balls that may be the nearest to a point of it.
+struct Piece {
+  std::array<Point3, 3> corner;
+  std::vector<std::uint32_t> ball;
+  double hi = 0;
+  friend bool operator<(const Piece& a, const Piece& b) { return a.hi < b.hi; }
+};
+
+class BoundarySide {
+ public:
+  BoundarySide(const std::vector<WorkingBall>& balls) : balls_(balls) {}
+
+  /// Bisects the piece with the largest upper bound until the interval is narrow.
+  void run(const Solid& solid, double tolerance, std::size_t most_pieces) {
+    std::vector<std::uint32_t> all(balls_.size());
+    for (std::uint32_t b = 0; b < all.size(); ++b) all[b] = b;
+    for (const SolidTriangle& t : solid.triangle)
+      add({solid.point[t.vertex[0]], solid.point[t.vertex[1]], solid.point[t.vertex[2]]}, all);
+    for (std::size_t n = 0; n < most_pieces && !heap_.empty(); ++n) {
+      if (heap_.top().hi <= lo_ + tolerance) break;
+      const Piece piece = heap_.top();
+      heap_.pop();
+      const auto& [a, b, c] = piece.corner;
+      const Point3 ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const auto& part : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c},
+                               std::array{ab, bc, ca}})
+        add(part, piece.ball);
+    }
+  }
+  [[nodiscard]] double lo() const { return lo_; }
+  [[nodiscard]] double hi() const { return heap_.empty() ? lo_ : std::max(lo_, heap_.top().hi); }
+
+ private:
+  void add(const std::array<Point3, 3>& corner, const std::vector<std::uint32_t>& balls) {
+    const Point3 center = (1.0 / 3) * (corner[0] + corner[1] + corner[2]);
+    double reach = 0;
+    for (const Point3& p : corner) reach = std::max(reach, distance_between(center, p));
+    std::vector<double> way;
+    way.reserve(balls.size());
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto b : balls) {
+      way.push_back(distance_between(center, balls_[b].center) - balls_[b].radius);
+      least = std::min(least, way.back());
+    }
+    lo_ = std::max(lo_, least);
+    Piece piece;
+    piece.corner = corner;
+    piece.hi = least + reach + kRounding;
+    if (piece.hi <= lo_) return;
+    for (std::size_t k = 0; k < balls.size(); ++k)
+      if (way[k] <= least + 2 * reach) piece.ball.push_back(balls[k]);
+    heap_.push(std::move(piece));
+  }
+
+  const std::vector<WorkingBall>& balls_;
+  std::priority_queue<Piece> heap_;
+  double lo_ = 0;
+};
+
+Point3 direction(std::size_t k, std::size_t count) {
+  const double z = 1 - (2 * static_cast<double>(k) + 1) / static_cast<double>(count);
+  const double angle = static_cast<double>(k) * std::numbers::pi * (3 - std::sqrt(5.0));
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+}  // namespace
+
+ReconstructionError reconstruction_error(const Solid& solid, const CellComplex& complex,
+                                         const ReconstructionOptions& options) {
+  const Frame& frame = solid.frame;
+  std::vector<WorkingBall> balls;
+  for (const ComplexVertex& v : complex.vertex)
+    balls.push_back({frame.to_working(v.position), frame.length_to_working(v.radius)});
+  ReconstructionError error;
+  error.balls = balls.size();
+  if (balls.empty()) return error;
+
+  BoundarySide side(balls);
+  side.run(solid, options.tolerance * extent_of(solid), options.most_pieces);
+  error.boundary_to_union_lo = frame.length_to_model(side.lo());
+  error.boundary_to_union_hi = frame.length_to_model(side.hi());
+
+  const SiteTree tree(solid);
+  const std::size_t each = std::clamp<std::size_t>(options.samples / balls.size(), 8, 2000);
+  double most = 0;
+  std::vector<std::uint32_t> touching;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    const WorkingBall& ball = balls[b];
+    if (!(ball.radius > 0)) continue;
+    touching.clear();
+    for (std::uint32_t o = 0; o < balls.size(); ++o)
+      if (o != b && distance_between(ball.center, balls[o].center) < ball.radius + balls[o].radius)
+        touching.push_back(o);
+    for (std::size_t k = 0; k < each; ++k) {
+      const Point3 x = ball.center + ball.radius * direction(k, each);
+      const auto covers = [&](std::uint32_t o) {
+        return distance_between(x, balls[o].center) < balls[o].radius - kRounding;
+      };
+      const auto it = std::find_if(touching.begin(), touching.end(), covers);
+      if (it != touching.end()) {
+        std::swap(*it, touching.front());  // the next sample is near
+        continue;
+      }
+      ++error.border_samples;
+      most = std::max(most, std::sqrt(tree.squared_distance(x).lo));
+    }
+  }
+  error.union_to_boundary_sampled = frame.length_to_model(most);
+  return error;
+}
+
+}  // namespace blum
