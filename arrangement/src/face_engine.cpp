@@ -14,7 +14,7 @@ constexpr int kMaxDepth = 90;
 /// general position has passed long before.
 constexpr int kStuck = 44;
 /// Most parts that bounds decide at all are decided before they lost no candidate so often.
-constexpr int kHardened = 6;
+constexpr int kHardened = 16;
 constexpr std::uint32_t kMaxExactParts = 64;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
