@@ -18,7 +18,7 @@ constexpr int kStuck = 44;
 constexpr int kPatience = 4;
 constexpr std::size_t kMaxStuck = 512;
 /// Most parts that bounds decide at all are decided before they lost no candidate so often.
-constexpr int kHardened = 6;
+constexpr int kHardened = 16;
 constexpr std::uint32_t kMaxExactParts = 64;
 constexpr int kSplitAttempts = 8;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
