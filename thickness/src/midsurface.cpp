@@ -4,13 +4,11 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/medial/subcomplex.hpp"
-#include "corners.hpp"
 #include "vectors.hpp"
 
 namespace blum {
 namespace {
 
-using detail::corners;
 
 std::vector<bool> chosen_sheets(const MedialResult& axis, const MidsurfaceOptions& options) {
   const CellComplex& k = axis.complex;

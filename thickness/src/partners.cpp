@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "blum/kernel/site_tree.hpp"
-#include "corners.hpp"
 
 namespace blum::detail {
 namespace {
