@@ -42,9 +42,10 @@ std::size_t compare(const Scene& scene, std::uint64_t seed) {
 }
 
 std::vector<Scene> cut_solids() {
-  return {{"torus", shapes::torus(8, 8, 2, 0.75)},
+  return {{"turned voids", shapes::rotate_rounded(shapes::nested_voids(3), 2)},
           {"turned pocket", shapes::rotate_rounded(shapes::lpocket(), 3)},
-          {"turned plate", shapes::rotate_rounded(shapes::plate(2, 6), 2)}};
+          {"turned plate",
+           shapes::rotate_rounded(shapes::triangulate_facets(shapes::plate(2, 12), 3), 4)}};
 }
 
 TEST(Cuts, AnySolid_HasTheSameBettiNumbersWithAndWithout) {

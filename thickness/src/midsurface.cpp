@@ -9,7 +9,6 @@
 namespace blum {
 namespace {
 
-
 std::vector<bool> chosen_sheets(const MedialResult& axis, const MidsurfaceOptions& options) {
   const CellComplex& k = axis.complex;
   std::vector<double> most(axis.parts.sheets, 0);
