@@ -127,7 +127,11 @@ Command add_certificate_command(CLI::App& app) {
       app.add_subcommand("certificate", "Say what a certificate says (and check nothing)");
   const auto file = std::make_shared<std::string>();
   certificate->add_option("CERTIFICATE", *file, "Written by medial --certificate")->required();
-  certificate->footer("Exit codes: 0 read, 2 unreadable.");
+  certificate->footer(R"(Exit codes: 0 read, 2 unreadable.
+
+Examples:
+  blum medial part.off --certificate part.cert
+  blum certificate part.cert)");
   return [file] { return run_certificate(*file); };
 }
 

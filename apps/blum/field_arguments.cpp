@@ -6,6 +6,7 @@
 #include <map>
 #include <thread>
 
+#include "choice.hpp"
 #include "commands.hpp"
 #include "field_vdb.hpp"
 
@@ -54,11 +55,11 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       .add_option("--method", options.method,
                   "Of OpenGL: fragments; gather (needs OpenGL 4.3); havoc: distance meshes;\n"
                   "difi: linear factorization of distance vectors")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, FieldMethod>{{"fragments", FieldMethod::kFragments},
-                                             {"gather", FieldMethod::kGather},
-                                             {"havoc", FieldMethod::kDistanceMeshes},
-                                             {"difi", FieldMethod::kLinearFactorization}}))
+      ->transform(
+          choice(std::map<std::string, FieldMethod>{{"fragments", FieldMethod::kFragments},
+                                                    {"gather", FieldMethod::kGather},
+                                                    {"havoc", FieldMethod::kDistanceMeshes},
+                                                    {"difi", FieldMethod::kLinearFactorization}}))
       ->default_str("fragments");
   command
       .add_option("--mesh-error", options.mesh_error,
@@ -76,7 +77,7 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       has_vdb() ? "FILE.vti, FILE.nrrd, FILE.npy or FILE.vdb" : "FILE.vti, FILE.nrrd or FILE.npy");
   command.add_option("--slice", arguments.slice, "Write a slice as a picture to this PNG file");
   command.add_option("--slice-axis", arguments.slice_axis, "The slice's axis: x, y or z")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}}))
+      ->transform(choice(std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}}))
       ->default_str("z");
   command.add_option("--slice-index", arguments.slice_index, "The slice (default: the middle one)")
       ->check(kDigits);

@@ -7,6 +7,7 @@
 
 #include "blum/gpu/field.hpp"
 #include "blum/gpu/field_hint.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "field_arguments.hpp"
 #include "interrupt.hpp"
@@ -36,11 +37,10 @@ void add_hint_options(CLI::App& command, HintArguments& arguments) {
       .add_option("--hints", arguments.source,
                   "Bounds on distance from a coarse field, to save work; the result is the same.\n"
                   "none, cpu, gl, or corrupted: of random sites, to show that it is")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, HintSource>{{"none", HintSource::kNone},
-                                            {"cpu", HintSource::kCpu},
-                                            {"gl", HintSource::kGl},
-                                            {"corrupted", HintSource::kCorrupted}}))
+      ->transform(choice(std::map<std::string, HintSource>{{"none", HintSource::kNone},
+                                                           {"cpu", HintSource::kCpu},
+                                                           {"gl", HintSource::kGl},
+                                                           {"corrupted", HintSource::kCorrupted}}))
       ->default_str("none");
   command
       .add_option("--hint-resolution", arguments.resolution,

@@ -26,6 +26,7 @@
 #include "blum/placement/placement_summary.hpp"
 #include "blum/placement/reconstruction.hpp"
 #include "blum/placement/smooth.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "hints.hpp"
@@ -40,10 +41,11 @@ namespace fs = std::filesystem;
 
 struct MedialArguments {
   std::string model, prefix, summary, flattened, graph, certificate;
-  double epsilon = 0, leaf_diameter = 0, edge_length = 0, coplanar_tolerance = 0;  // of the diagonal
+  double epsilon = 0, leaf_diameter = 0, edge_length = 0,
+         coplanar_tolerance = 0;  // of the diagonal
   bool smooth = false, feet = false, reconstruction = false;
-  std::uint64_t max_memory_mib = 0;            // 0: no limit
-  std::optional<double> theta;                 // degrees
+  std::uint64_t max_memory_mib = 0;  // 0: no limit
+  std::optional<double> theta;       // degrees
   Simplify simplify = Simplify::kHomotopy;
   std::vector<double> theta_table;
   std::string theta_csv;
@@ -230,8 +232,8 @@ int run_medial(MedialArguments arguments) {
       (medial ? arguments.leaf_diameter : arguments.epsilon) * unit;
   std::optional<AxisPlacement> placement;
   if (medial) {
-    placement.emplace(solid.value(), PlacementOptions{arguments.epsilon * unit,
-                                                      arguments.edge_length * unit});
+    placement.emplace(solid.value(),
+                      PlacementOptions{arguments.epsilon * unit, arguments.edge_length * unit});
   }
   if (const auto problem = output_problem(files)) return report(*problem);
 
@@ -263,7 +265,7 @@ int run_medial(MedialArguments arguments) {
     };
     return medial ? compute_medial_axis(solid.value(), arguments.options, arguments.angles, sink,
                                         placement->review())
-               : compute_voronoi_diagram(solid.value(), arguments.options);
+                  : compute_voronoi_diagram(solid.value(), arguments.options);
   };
   const Result<MedialResult> result = compute();
   if (interrupted_by() != 0 || !result) drop_certificate();
@@ -286,8 +288,8 @@ int run_medial(MedialArguments arguments) {
     summary.sections.push_back(placement_section(placement->report(), placement->mesh(), unit));
   }
   if (arguments.reconstruction) {
-    summary.sections.push_back(reconstruction_section(
-        reconstruction_error(solid.value(), drawn.complex, {}), unit));
+    summary.sections.push_back(
+        reconstruction_section(reconstruction_error(solid.value(), drawn.complex, {}), unit));
   }
   if (arguments.smooth) {
     summary.sections.push_back(smooth_section(smooth_sheets(drawn, solid.value(), {}), unit));
@@ -349,7 +351,8 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
   medial->add_option("MODEL", arguments->model, "OFF, OBJ, STL or PLY")->required();
   medial->add_option("-o,--output", arguments->prefix,
                      "PREFIX of the files written (default: the model's name, here)");
-  medial->add_option("--summary", arguments->summary, "File of the summary, as JSON (default: PREFIX.json)");
+  medial->add_option("--summary", arguments->summary,
+                     "File of the summary, as JSON (default: PREFIX.json)");
   medial->add_option("--seed", options.seed, "Seed of the cutting planes")
       ->check(kDigits)
       ->capture_default_str();
@@ -415,9 +418,10 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
   medial->add_flag("--feet", arguments.feet,
                    "Write PREFIX.feet.vtp: both feet of every point of every sheet, as patches of\n"
                    "the boundary");
-  medial->add_flag("--smooth", arguments.smooth,
-                   "Smooth the sheets for display; seams and rims stay. The files then do not hold\n"
-                   "the certified positions, and say so");
+  medial->add_flag(
+      "--smooth", arguments.smooth,
+      "Smooth the sheets for display; seams and rims stay. The files then do not hold\n"
+      "the certified positions, and say so");
   medial->add_flag("--reconstruction", arguments.reconstruction,
                    "Report how far the union of the axis' balls is from the boundary");
   medial->add_flag("--angles", arguments.with_angles,
@@ -428,8 +432,8 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
       ->add_option("--simplify", arguments.simplify,
                    "hma: keeps the homotopy type; sma: every part with a larger angle, which may\n"
                    "tear the axis apart")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Simplify>{
-          {"hma", Simplify::kHomotopy}, {"sma", Simplify::kSubset}}))
+      ->transform(choice(std::map<std::string, Simplify>{{"hma", Simplify::kHomotopy},
+                                                         {"sma", Simplify::kSubset}}))
       ->default_str("hma")
       ->needs(theta);
   CLI::Option* const table =
@@ -454,7 +458,7 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
 void add_engine_option(CLI::App* command, Engine& engine, const char* description,
                        const std::map<std::string, Engine>& engines) {
   command->add_option("--engine", engine, description)
-      ->transform(CLI::CheckedTransformer(engines))
+      ->transform(choice(engines))
       ->default_str("production");
 }
 
@@ -501,10 +505,9 @@ Command add_voronoi_command(CLI::App& app) {
           "--side", options.side,
           "The part of the diagram that is wanted: inside (the closed solid), outside (the\n"
           "closure of the rest of the box) or both")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, VoronoiSide>{{"inside", VoronoiSide::kInside},
-                                             {"outside", VoronoiSide::kOutside},
-                                             {"both", VoronoiSide::kBoth}}))
+      ->transform(choice(std::map<std::string, VoronoiSide>{{"inside", VoronoiSide::kInside},
+                                                            {"outside", VoronoiSide::kOutside},
+                                                            {"both", VoronoiSide::kBoth}}))
       ->default_str("both");
   voronoi->add_option(
       "--graph", arguments->graph,
@@ -516,10 +519,9 @@ Command add_voronoi_command(CLI::App& app) {
           "When a cell is accepted: strict (Sud's thesis), disks (regions are disks on its\n"
           "surface, none is hidden) or relaxed (the same, and what the flow to the\n"
           "boundary proves)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Criterion>{{"strict", Criterion::kStrict},
-                                           {"disks", Criterion::kDisks},
-                                           {"relaxed", Criterion::kRelaxed}}))
+      ->transform(choice(std::map<std::string, Criterion>{{"strict", Criterion::kStrict},
+                                                          {"disks", Criterion::kDisks},
+                                                          {"relaxed", Criterion::kRelaxed}}))
       ->default_str("relaxed");
   voronoi->footer(
       R"(The sites are the triangles, edges and vertices of the boundary that have a region with an

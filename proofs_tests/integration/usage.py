@@ -68,12 +68,14 @@ class Usage(ToolTest):
                 self.assertEqual(self.names(), ["box.off"])
 
     def test_help_and_version_exit_with_0(self):
-        for arguments in [["--help"], ["-h"], ["info", "--help"], ["make", "--help"],
-                          ["medial", "--help"]]:
+        commands = ["certificate", "field", "info", "make", "medial", "midsurface", "render",
+                    "thickness", "verify", "view", "voronoi"]
+        for arguments in [["--help"], ["-h"], *([command, "--help"] for command in commands)]:
             with self.subTest(arguments):
                 result = self.blum(*arguments)
                 self.expect(result, 0)
                 self.assertIn("Examples:", result.stdout)
+                self.assertTrue(result.stdout.replace("\n", "").isprintable(), arguments)
         result = self.blum("--version")
         self.expect(result, 0)
         self.assertRegex(result.stdout, r"^blum \d+\.\d+\.\d+\n$")
