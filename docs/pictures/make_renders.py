@@ -24,11 +24,11 @@ TORUS = ["--colour", "radius", "--elevation", "55", "--no-model", "--zoom", "1.3
 # name: model (a file, or arguments of `blum make`), command with options, options of `blum render`.
 RENDERS = {
     "plate": ("plate 2 6", "medial --angles --epsilon 0.02", []),
-    "theta_0": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "0"]),
-    "theta_60": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "60"]),
-    "theta_150": ("joint.off", "medial --angles --epsilon 0.07", ["--theta", "150"]),
-    "hma": ("torus 16 8", "medial --theta 80 --epsilon 0.04", TORUS),
-    "sma": ("torus 16 8", "medial --theta 80 --simplify sma --epsilon 0.04", TORUS),
+    "theta_0": ("joint.off", "medial --angles --leaf-diameter 0.05", ["--theta", "0"]),
+    "theta_60": ("joint.off", "medial --angles --leaf-diameter 0.05", ["--theta", "60"]),
+    "theta_150": ("joint.off", "medial --angles --leaf-diameter 0.05", ["--theta", "150"]),
+    "hma": ("torus 16 8", "medial --theta 80 --leaf-diameter 0.04", TORUS),
+    "sma": ("torus 16 8", "medial --theta 80 --simplify sma --leaf-diameter 0.04", TORUS),
     "void": ("derived_cube_sphere_void.off", "medial --angles --epsilon 0.08",
              ["--theta", "90", "--section", "-y:0.5", "--azimuth", "-70", "--elevation", "22"]),
     "thickness": ("joint.off", "thickness --theta 100", []),
