@@ -8,6 +8,7 @@
 
 #include "blum/kernel/mesh.hpp"
 #include "blum/kernel/validate.hpp"
+#include "blum/placement/placement.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
@@ -73,13 +74,15 @@ std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
   arguments.options.max_leaf_diameter = arguments.epsilon * run.diagonal;
   AngleOptions angles;
   angles.wanted = true;
+  AxisPlacement placement(solid.value(), {});
   const DeferInterrupts deferred;
   ProgressBar bar;
   arguments.options.on_progress = [&bar](const Progress& progress) {
     bar.show(progress);
     return interrupted_by() == 0;
   };
-  Result<MedialResult> axis = compute_medial_axis(solid.value(), arguments.options, angles);
+  Result<MedialResult> axis =
+      compute_medial_axis(solid.value(), arguments.options, angles, {}, placement.review());
   if (interrupted_by() != 0) {
     std::cerr << "blum: interrupted\n";
     code = kSignalBase + interrupted_by();
@@ -89,8 +92,8 @@ std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
     code = report(axis.error());
     return std::nullopt;
   }
+  run.axis = placement.realized(axis.value());
   run.solid = std::move(solid.value());
-  run.axis = std::move(axis.value());
   return run;
 }
 
