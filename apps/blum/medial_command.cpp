@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <thread>
@@ -284,8 +285,14 @@ int run_medial(MedialArguments arguments) {
 
   // What the files hold: the mesh of the complex, smoothed or pruned where that is asked for.
   MedialResult drawn = placement ? placement->realized(result.value()) : result.value();
+  PlacementReport placed;
   if (placement) {
-    summary.sections.push_back(placement_section(placement->report(), placement->mesh(), unit));
+    placed = placement->report();
+    if (!result.value().certified) {
+      placed.bound = std::numeric_limits<double>::infinity();
+      placed.reached = !(arguments.epsilon > 0);
+    }
+    summary.sections.push_back(placement_section(placed, placement->mesh(), unit));
   }
   if (arguments.reconstruction) {
     summary.sections.push_back(
@@ -340,7 +347,7 @@ int run_medial(MedialArguments arguments) {
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
   for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
-  const bool reached = !placement || placement->report().reached;
+  const bool reached = !placement || placed.reached;
   return certified && reached ? kSuccess : kNotCertified;
 }
 

@@ -72,17 +72,22 @@ bool FaceEngine::accept_chords(const Box& box, const Border& border,
   };
   for (const auto& run : runs)
     for (std::size_t k = 0; run.size() > 1 && k < run.size(); ++k)
-      if (!tie(run[k], run[(k + 1) % run.size()])) return false;
+      if (const auto g = run[k], h = run[(k + 1) % run.size()];
+          g == h || (!ties[g][h] && !tie(g, h)))
+        return false;
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j) {
       const auto g = groups.of[i], h = groups.of[j];
       if (g == h || find_parting(forms[i], forms[j]) ||
           !may_both_govern(context_, forms[i], forms[j], range))
         continue;
-      if (!tie(g, h)) return false;
+      if (!ties[g][h] && !tie(g, h)) return false;
       const auto [a, b] = g < h ? std::pair{i, j} : std::pair{j, i};
       pairs[ordered(g, h)].push_back({a, b, pair_slope(context_, forms[a], forms[b], range)});
     }
+  for (const auto& run : runs)
+    for (std::size_t k = 0; run.size() > 1 && k < run.size(); ++k)
+      if (!pairs.contains(ordered(run[k], run[(k + 1) % run.size()]))) return false;
   std::vector<PartRecord::Between> between;
   for (const auto& [pair, gains] : pairs) {
     const auto d = direction(gains, forms, range);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "assemble.hpp"
@@ -10,13 +11,13 @@
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_geometry.hpp"
+#include "blum/medial/review.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
 #include "blum/subdivision/sided_face.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
 #include "certificate.hpp"
-#include "blum/medial/review.hpp"
 #include "part_angles.hpp"
 
 namespace blum {
@@ -93,9 +94,8 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
 }
 
 bool any_undecided(const Subdivision& subdivision) {
-  return std::any_of(
-      subdivision.leaf.begin(), subdivision.leaf.end(),
-      [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
+  return std::any_of(subdivision.leaf.begin(), subdivision.leaf.end(),
+                     [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
 }
 
 /// Leaves that a review finds too coarse are divided into parts of half their size.
@@ -109,8 +109,7 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
   bool last = any_undecided(subdivision) || !assembly.undecided.empty();
   for (;;) {
     const Parts parts = read_parts(assembly.complex);
-    ReviewVerdict verdict =
-        review({geometry, subdivision, engines, assembly.complex, parts, last});
+    ReviewVerdict verdict = review({geometry, subdivision, engines, assembly.complex, parts, last});
     if (verdict.divide.empty() || last) return verdict;
     last = true;
     Result<Subdivision> finer =
@@ -187,6 +186,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.complex = std::move(assembly.complex);
   result.parts = read_parts(result.complex);
   result.certified = result.undecided.empty() && !assembly.stopped;
+  // Nothing is known of the axis in cells that are undecided.
+  if (!result.certified) result.hausdorff_bound = std::numeric_limits<double>::infinity();
   if (result.certified) {
     result.betti = betti_numbers(result.complex);
     // M ≃ O: a disagreement would be a defect of this program, and must not leave it as an answer.

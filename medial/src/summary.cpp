@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <map>
@@ -222,7 +223,8 @@ std::string summary_text(const SummaryInput& input) {
   if (r.leaves_cut > 0)
     append(text, "; %zu cut by planes, %zu tried", r.leaves_cut, r.planes_tried);
   text += '\n';
-  append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);
+  if (std::isfinite(r.hausdorff_bound))
+    append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);
 
   if (r.angles) {
     append(text,

@@ -1,6 +1,7 @@
 #include "blum/placement/placement_summary.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -36,10 +37,11 @@ SummarySection placement_section(const PlacementReport& r, const AxisMesh& mesh,
                        {"edges", mesh.complex.edge.size()},
                        {"triangles", mesh.complex.triangle.size()}}},
                      {"time_s", {{"place", r.place_s}, {"mesh", r.mesh_s}, {"bound", r.bound_s}}}};
-  std::string text =
-      line("geometry   within %.4g %% of the diagonal%s; %zu points of %zu off the axis\n", percent,
-           r.reached ? "" : " (more than --epsilon: budget out)", r.unconverged,
-           mesh.complex.vertex.size());
+  std::string text = std::isfinite(r.bound)
+                         ? line("geometry   within %.4g %% of the diagonal%s", percent,
+                                r.reached ? "" : " (more than --epsilon: budget out)")
+                         : std::string("geometry   no bound");
+  text += line("; %zu points of %zu off the axis\n", r.unconverged, mesh.complex.vertex.size());
   text +=
       line("           %zu triangles; %zu rounds, %zu boxes; place %.3f, mesh %.3f, bound %.3f s\n",
            mesh.complex.triangle.size(), r.rounds, r.boxes, r.place_s, r.mesh_s, r.bound_s);

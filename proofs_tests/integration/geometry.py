@@ -50,6 +50,14 @@ class Geometry(ToolTest):
         self.assertIs(summary["geometry"]["epsilon_reached"], False)
         self.assertGreater(summary["geometry"]["hausdorff_percent"], 1e-3)
 
+    def test_without_a_certificate_there_is_no_bound(self):
+        self.expect(self.blum("make", "plate", "-o", "box.off"), 0)
+        summary = self.summary("--epsilon", "0.01", "--max-depth", "0", code=3)
+        self.assertIs(summary["result"]["certified"], False)
+        self.assertIsNone(summary["result"]["hausdorff_bound"])
+        self.assertIsNone(summary["geometry"]["hausdorff_bound"])
+        self.assertIs(summary["geometry"]["epsilon_reached"], False)
+
     def test_meshes_are_as_fine_as_asked_for(self):
         coarse = self.summary("--edge-length", "0.1")["geometry"]["mesh"]
         fine = self.summary("--edge-length", "0.05")["geometry"]["mesh"]

@@ -82,7 +82,7 @@ struct MedialResult {
   std::vector<UndecidedCell> undecided;
   /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter,
   /// or what a review found.
-  double hausdorff_bound = 0;
+  double hausdorff_bound = 0;  ///< infinite unless certified
   StageCounts stages;  ///< depends on the number of threads, the complex does not
   PhaseTimes time;
   std::uint64_t seed = 0;
