@@ -2,7 +2,7 @@
 // a vertex, crosses the plane: squared distances have no slope there.
 #include <algorithm>
 #include <array>
-#include <map>
+#include <set>
 
 #include "face_engine.hpp"
 #include "polar_cone.hpp"
@@ -81,108 +81,35 @@ bool FaceEngine::ties_are_straight(std::span<const LocalForm> forms, const Range
 }
 
 bool FaceEngine::accept_convex(const Box& box, std::span<const LocalForm> forms,
-                               const Border& border) {
+                               const Groups& sites, const Border& border) {
   if (forms.size() > kMaxGroups || !wholly_inside(border)) return false;
   const Circle& circle = border.circle[0];
   const Range range = range_of(box);
   // The sectors at an edge are unbounded: one that does not show on the border is not in the part.
-  if (edge_and_its_faces(forms, range)) return record_forest(circle, box);
+  if (edge_and_its_faces(forms, range)) return record_forest(circle, forms, sites, box);
   const bool all_show = std::ranges::all_of(forms, [&](const LocalForm& f) {
     return std::ranges::any_of(circle, [&](const Step& s) {
       return s.kind == Step::Kind::kInterval && s.label == f.site;
     });
   });
-  return all_show && ties_are_straight(forms, range) && record_forest(circle, box);
+  return all_show && ties_are_straight(forms, range) && record_forest(circle, forms, sites, box);
 }
 
-bool FaceEngine::record_forest(const Circle& circle, const Box& box) {
-  struct Run {
-    std::uint32_t tie = 0;  // the node before it
-    SiteId label;
-    std::vector<std::uint32_t> elements;
-  };
-  const std::size_t n = circle.size();
-  std::size_t start = n;
-  for (std::size_t i = 0; i < n && start == n; ++i)
-    if (circle[i].kind == Step::Kind::kTie) start = i;
-  if (start == n) start = 0;  // one region
-  std::vector<Run> runs;
-  if (circle[start].kind != Step::Kind::kTie) {
-    for (const Step& s : circle) {
-      label_element(s.id, std::array{s.label});
-      region_.unite(circle[0].id, s.id);
-      component_.unite(circle[0].id, s.id);
-    }
-    return true;
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (s.kind == Step::Kind::kTie) {
-      runs.push_back({s.id, {}, {}});
-    } else {
-      runs.back().label = s.label;
-      runs.back().elements.push_back(s.id);
-    }
-  }
-  // A region's border goes from the tie after one of its runs to the tie before the next.
-  const auto count = static_cast<std::uint32_t>(runs.size());
-  std::map<SiteId, std::vector<std::uint32_t>> runs_of;
-  for (std::uint32_t k = 0; k < count; ++k) runs_of[runs[k].label].push_back(k);
-  UnionFind tree;
-  tree.resize(count);
-  for (const auto& [label, own] : runs_of)
-    for (std::size_t i = 0; i < own.size(); ++i)
-      tree.unite((own[i] + 1) % count, own[(i + 1) % own.size()]);
-  std::map<std::uint32_t, std::vector<std::uint32_t>> ties_of_tree;
-  for (std::uint32_t k = 0; k < count; ++k) ties_of_tree[tree.find(k)].push_back(k);
+bool FaceEngine::record_forest(const Circle& circle, std::span<const LocalForm> forms,
+                               const Groups& sites, const Box& box) {
+  const auto region = runs_of(circle, forms, sites);
+  if (!region) return false;
   std::size_t regions = 1;
-  for (const auto& [root, ties] : ties_of_tree) {
-    if (ties.size() < 2) return false;
-    if (ties.size() > 3 && context_.part_clusters &&
-        range_of(box).radius() > ProductionEngine::kSmallestCluster)
-      return false;
-    regions += ties.size() - 1;
-  }
-  if (regions != runs_of.size()) return false;
-
-  const auto whole = runs[0].elements[0];
-  for (const auto& [label, own] : runs_of) {
-    const auto first = runs[own[0]].elements[0];
-    label_element(first, std::array{label});
-    for (const auto k : own)
-      for (const auto e : runs[k].elements) {
-        region_.unite(first, e);
-        component_.unite(whole, e);
-      }
-  }
-  for (const auto& [root, ties] : ties_of_tree) {
-    const auto beside = [&](std::uint32_t k) {
-      return std::array{runs[(k + count - 1) % count].elements[0], runs[k].elements[0]};
-    };
-    const auto governors = [&](std::uint32_t k) {
-      const auto& g = nodes_[runs[k].tie].node.governors;
-      return std::array{g.front(), g.back()};
-    };
-    for (const auto k : ties) nodes_[runs[k].tie].element = whole;
-    if (ties.size() == 2) {
-      const auto g = governors(ties[0]);
-      add_arc(runs[ties[0]].tie, runs[ties[1]].tie, g[0], g[1], beside(ties[0]));
-      continue;
+  if (region->size() > 1)
+    for (const auto& [root, ends] : trees_of(*region)) {
+      if (ends.size() < 2) return false;
+      if (ends.size() > 3 && context_.part_clusters &&
+          range_of(box).radius() > ProductionEngine::kSmallestCluster)
+        return false;
+      regions += ends.size() - 1;
     }
-    const auto center = new_node(FaceNode::Kind::kEvent, box);
-    nodes_[center].element = whole;
-    std::vector<SiteId> all;
-    for (const auto k : ties) {
-      const auto g = governors(k);
-      add_arc(center, runs[k].tie, g[0], g[1], beside(k));
-      all.insert(all.end(), g.begin(), g.end());
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    nodes_[center].node.governors = std::move(all);
-    nodes_[center].node.exact = ties.size() == 3;
-    context_.counts.clusters += ties.size() > 3;
-  }
+  if (regions != std::set(region->begin(), region->end()).size()) return false;
+  record(circle, forms, sites, box, *region);
   return true;
 }
 

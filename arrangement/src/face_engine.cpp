@@ -354,7 +354,7 @@ std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
 }
 
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                  std::uint32_t except, const Range& range, Directions& found) {
+                                  const Range& range, Directions& found) {
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
@@ -365,8 +365,7 @@ bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups
     }
   found.assign(groups.count, std::nullopt);
   for (std::uint32_t g = 0; g < groups.count; ++g)
-    if (g != except && !of_group[g].empty() && !(found[g] = direction(of_group[g], forms, range)))
-      return false;
+    if (!of_group[g].empty() && !(found[g] = direction(of_group[g], forms, range))) return false;
   return true;
 }
 
@@ -418,7 +417,7 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
       accept_star(box, forms, feet, feet, border))
     return true;
   if (context_.voronoi())
-    return accept_convex(box, forms, border) || accept_vertex_link(box, forms, ties, border);
+    return accept_convex(box, forms, ties, border) || accept_vertex_link(box, forms, ties, border);
   return accept_cone(box, forms, feet, border) || accept_rim(box, forms, feet, border) ||
          (!context_.plain && box.stuck >= kHardened && accept_slice(box, forms, feet, border));
 }
@@ -443,8 +442,7 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
     return false;
   const Range range = range_of(box);
   Directions directions;
-  if (!repeated &&
-      (groups.count == 1 || directions_exist(forms, groups, groups.count, range, directions))) {
+  if (!repeated && (groups.count == 1 || directions_exist(forms, groups, range, directions))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;

@@ -102,14 +102,15 @@ class FaceEngine {
   [[nodiscard]] static std::uint32_t ends_of(const Circle& circle);
   /// Voronoi: all regions are convex in the part, and all show on its border.
   [[nodiscard]] bool accept_convex(const Box& box, std::span<const LocalForm> forms,
-                                   const Border& border);
+                                   const Groups& sites, const Border& border);
   [[nodiscard]] bool ties_are_straight(std::span<const LocalForm> forms, const Range& range);
   /// Do all points of the range project into the face, or beyond the edge it shares with `other`?
   [[nodiscard]] bool reaches(SiteId face, SiteId other, const Range& range) const;
   [[nodiscard]] bool edge_and_its_faces(std::span<const LocalForm> forms, const Range& range) const;
   /// Records a part whose regions are connected and all show on the border, perhaps several times:
   /// then the graph is a forest. False, and nothing recorded, if the border contradicts that.
-  [[nodiscard]] bool record_forest(const Circle& circle, const Box& box);
+  [[nodiscard]] bool record_forest(const Circle& circle, std::span<const LocalForm> forms,
+                                   const Groups& sites, const Box& box);
   /// Voronoi, Theorem G': all sites meet in one vertex.
   [[nodiscard]] bool accept_vertex_link(const Box& box, std::span<const LocalForm> forms,
                                         const Groups& sites, const Border& border);
@@ -129,19 +130,16 @@ class FaceEngine {
                                        const Groups& groups, const Circle& circle);
   /// One for each group; none for a group that ties with no other.
   using Directions = std::vector<std::optional<Direction>>;
-  /// For all groups but one.
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      std::uint32_t except, const Range& range, Directions& found);
+                                      const Range& range, Directions& found);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
     PairSlope slope;
   };
-  /// Do all pairs gain along the direction? Is there such a direction?
+  /// Do all pairs gain along the direction?
   [[nodiscard]] bool gain_along(std::span<const GainPair> pairs, std::span<const LocalForm> forms,
                                 const Range& range, const Direction& direction);
-  [[nodiscard]] bool direction_exists(std::span<const GainPair> pairs,
-                                      std::span<const LocalForm> forms, const Range& range);
   /// The intervals between the separators of a circle: run[k] follows end[k].
   struct Sequence {
     struct End {

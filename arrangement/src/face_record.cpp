@@ -85,9 +85,9 @@ FaceEngine::Trees FaceEngine::trees_of(std::span<const std::uint32_t> region) {
     while (region[next] != region[k]) next = (next + 1) % n;
     tree.unite((k + 1) % n, next);
   }
-  Trees ends_of;
-  for (std::uint32_t k = 0; k < n; ++k) ends_of[tree.find(k)].push_back(k);
-  return ends_of;
+  Trees ends;
+  for (std::uint32_t k = 0; k < n; ++k) ends[tree.find(k)].push_back(k);
+  return ends;
 }
 
 void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,

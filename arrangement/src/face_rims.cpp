@@ -84,12 +84,6 @@ std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry,
   return std::nullopt;
 }
 
-namespace {
-
-double length(const BallVector& x) { return std::sqrt(dot(x, x).high()) * (1 + 0x1p-40); }
-
-}  // namespace
-
 // Projections move no farther apart than points, so their distance from v is at most that of the
 // centre's plus the radius.
 bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& range) {
@@ -104,14 +98,15 @@ bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& ra
     const BallVector a = difference(solid.point[tv[(at + 1) % 3]], o),
                      b = difference(solid.point[tv[(at + 2) % 3]], o);
     const BallVector across = cross(a, b), side = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    const double height = std::sqrt(std::max(0.0, dot(across, across).low())) / length(side);
+    const double height = std::sqrt(std::max(0.0, dot(across, across).low())) / length_above(side);
     reach = std::min(reach, height * (1 - 0x1p-40));
     const SiteId face = geometry.index().face(t);
     const auto domain = geometry.domain(face);  // prism conditions in the order of the edges
     if (beyond(domain[at].w) || beyond(domain[(at + 2) % 3].w)) continue;
     const BallVector& n = geometry.unit(face);
     const Ball h = dot(n, x);
-    farthest = std::max(farthest, length({x[0] - n[0] * h, x[1] - n[1] * h, x[2] - n[2] * h}));
+    farthest =
+        std::max(farthest, length_above({x[0] - n[0] * h, x[1] - n[1] * h, x[2] - n[2] * h}));
   }
   for (const auto e : solid.edges_at(v)) {
     const auto& ends = solid.edge[e].vertex;

@@ -18,8 +18,6 @@ namespace {
 constexpr double kUp = 1 + 0x1p-40;
 constexpr std::size_t kCenters = 6;  // vertices tried: those that most sites have
 
-double length(const BallVector& x) { return std::sqrt(dot(x, x).high()) * kUp; }
-
 /// Upper bound of |n . (y - v)| for feet y on the site, n the direction from y to a point with it.
 double offset(EngineContext& context, SiteId site, std::uint32_t v) {
   const SiteGeometry& geometry = context.geometry;
@@ -32,7 +30,7 @@ double offset(EngineContext& context, SiteId site, std::uint32_t v) {
     case SiteKind::kEdge:
       break;
   }
-  const double plain = length(
+  const double plain = length_above(
       cross(geometry.unit(site), difference(geometry.solid().point[v], geometry.base(site))));
   // By its heights over the two planes at the edge, which are precise however small they are.
   const auto& beside = geometry.solid().edge[geometry.index().element(site)].triangle;
@@ -72,7 +70,7 @@ bool FaceEngine::flow_parts_all(std::uint32_t v, const Box& box, std::span<const
   std::vector<double> off;
   for (const LocalForm& f : forms) {
     const BallVector d = difference(closest_point(geometry, f.site, range.center), range.center);
-    distance = std::min(distance, (length(d) + kOnSite + range.radius()) * kUp);
+    distance = std::min(distance, (length_above(d) + kOnSite + range.radius()) * kUp);
     off.push_back(offset(context_, f.site, v));
     farthest_off = std::max(farthest_off, off.back());
   }

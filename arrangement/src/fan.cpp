@@ -18,7 +18,7 @@ BallVector combined(const Ball& p, const BallVector& a, const Ball& q, const Bal
 
 double apart_upper(const BallVector& a, const BallVector& b) {
   const BallVector d = combined(Ball(1.0), a, Ball(-1.0), b);
-  return std::sqrt(dot(d, d).high()) * kUp;
+  return length_above(d);
 }
 
 void set_stretch(Fan& f) {
@@ -113,8 +113,7 @@ std::optional<BallVector> middle_of(const Fan& fan, const BallVector& direction)
   const Ball norm = dot(m, m);
   if (!(norm.low() > 0)) return std::nullopt;
   for (Ball& c : m) c = divide(c, root(norm));
-  if (!(dot(cross(fan.end[0], m), normal).low() > 0 &&
-        dot(cross(m, fan.end[1]), normal).low() > 0))
+  if (!(dot(cross(fan.end[0], m), normal).low() > 0 && dot(cross(m, fan.end[1]), normal).low() > 0))
     return std::nullopt;
   return m;
 }

@@ -82,6 +82,8 @@ double spread(const BallVector& w, const Range& r) {
             w[2].magnitude() * r.half[2]);
 }
 
+double length_above(const BallVector& x) { return std::sqrt(dot(x, x).high()) * (1 + 0x1p-40); }
+
 bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex, const Range& range) {
   const Solid& solid = geometry.solid();
   const BallVector x = difference(range.center, solid.point[vertex]);

@@ -28,6 +28,9 @@ struct Range {
 /// Upper bound of |w.(x - centre)| over the range.
 [[nodiscard]] double spread(const BallVector& w, const Range& range);
 
+/// Upper bound of the length of a vector.
+[[nodiscard]] double length_above(const BallVector& x);
+
 /// d^2(c + x) = value + gradient.x + x.A x, all enclosed.
 struct LocalForm {
   SiteId site{};

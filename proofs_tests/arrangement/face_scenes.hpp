@@ -28,6 +28,10 @@ inline double uniform(Random& random, double lo, double hi) {
   return std::uniform_real_distribution(lo, hi)(random);
 }
 
+inline double log_uniform(Random& random, double lo, double hi) {
+  return std::exp(uniform(random, std::log(lo), std::log(hi)));
+}
+
 /// A solid with what the engines want to know of it.
 struct Scene {
   std::string name;

@@ -14,6 +14,7 @@
 namespace blum {
 namespace {
 
+using test::log_uniform;
 using test::Random;
 using test::Scene;
 using test::uniform;
@@ -30,10 +31,6 @@ Vector cross3(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Vector unit(const Vector& a) { return combined({}, 1 / std::sqrt(dot3(a, a)), a); }
-
-double log_uniform(Random& random, double lo, double hi) {
-  return std::exp(uniform(random, std::log(lo), std::log(hi)));
-}
 
 Vector inner_normal(const Solid& solid, std::uint32_t triangle) {
   const auto& v = solid.triangle[triangle].vertex;

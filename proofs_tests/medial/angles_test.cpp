@@ -28,31 +28,6 @@ MedialResult angled(const PolygonMesh& mesh, double epsilon = 0, std::uint64_t s
 
 using test::LongPoint;
 
-/// Point of a triangle nearest to q, by clamping alone.
-LongPoint nearest_on(const LongPoint& q, const std::array<LongPoint, 3>& t) {
-  using test::dot, test::minus;
-  const auto at = [](const LongPoint& a, const LongPoint& u, long double s) {
-    return LongPoint{a[0] + s * u[0], a[1] + s * u[1], a[2] + s * u[2]};
-  };
-  const LongPoint u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(q, t[0]);
-  const long double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
-  const long double det = uu * vv - uv * uv, s = (vv * wu - uv * wv) / det,
-                    r = (uu * wv - uv * wu) / det;
-  if (s >= 0 && r >= 0 && s + r <= 1) return at(at(t[0], u, s), v, r);
-  LongPoint best{};
-  long double least = -1;
-  for (int k = 0; k < 3; ++k) {
-    const LongPoint &a = t[static_cast<std::size_t>(k)], e = minus(t[(k + 1u) % 3], a);
-    const LongPoint y = at(a, e, std::clamp(dot(minus(q, a), e) / dot(e, e), 0.0L, 1.0L));
-    const long double d = dot(minus(q, y), minus(q, y));
-    if (least < 0 || d < least) {
-      least = d;
-      best = y;
-    }
-  }
-  return best;
-}
-
 /// Unit directions to the feet of q: nearest points of all triangles as far as the nearest, to
 /// `slack` of the distance.
 std::vector<LongPoint> feet(const Solid& solid, const std::vector<Point3>& points, const Point3& q,
@@ -60,9 +35,9 @@ std::vector<LongPoint> feet(const Solid& solid, const std::vector<Point3>& point
   std::vector<std::pair<long double, LongPoint>> all;
   long double least = std::numeric_limits<long double>::infinity();
   for (const SolidTriangle& t : solid.triangle) {
-    const LongPoint y =
-        nearest_on(test::wide(q), {test::wide(points[t.vertex[0]]), test::wide(points[t.vertex[1]]),
-                                   test::wide(points[t.vertex[2]])});
+    const LongPoint y = test::nearest_on_triangle(
+        test::wide(q), {test::wide(points[t.vertex[0]]), test::wide(points[t.vertex[1]]),
+                        test::wide(points[t.vertex[2]])});
     const LongPoint w = test::minus(y, test::wide(q));
     const long double d = std::sqrt(test::dot(w, w));
     least = std::min(least, d);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/turn_by_quaternion.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum::test {
@@ -22,20 +23,6 @@ inline Change as_it_is() {
 inline Change turned(std::uint64_t seed) {
   return {"turned at random " + std::to_string(seed),
           [seed](const PolygonMesh& m) { return rotated(m, seed); }};
-}
-
-/// Rotation by an integer quaternion times its squared norm: exact where coordinates have few
-/// digits; else facets are planar up to rounding only.
-inline PolygonMesh turn_by_quaternion(PolygonMesh m, const std::array<int, 4>& q) {
-  const auto [a, b, c, d] = q;
-  const int r[3][3] = {{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-                       {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-                       {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
-  for (Point3& p : m.points) {
-    const Point3 x = p;
-    for (int k = 0; k < 3; ++k) p[k] = r[k][0] * x.x + r[k][1] * x.y + r[k][2] * x.z;
-  }
-  return m;
 }
 
 inline std::string quaternion_name(const std::array<int, 4>& q) {

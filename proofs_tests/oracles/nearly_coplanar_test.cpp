@@ -11,14 +11,11 @@ namespace blum {
 namespace {
 
 using test::compare;
+using test::log_uniform;
 using test::Random;
 using test::Scene;
 using test::Tally;
 using test::uniform;
-
-double log_uniform(Random& random, double lo, double hi) {
-  return std::exp(uniform(random, std::log(lo), std::log(hi)));
-}
 
 /// A box of 4 x 4 x 2 whose top is a fan of `rim` triangles around an inner vertex; `rough` bounds
 /// how far the inner vertices (one, or one on each spoke too) lie above or below the top.

@@ -4,33 +4,18 @@
 
 #include <cmath>
 
+#include "kernel/turn_by_quaternion.hpp"
 #include "oracles/face_compare.hpp"
 
 namespace blum {
 namespace {
 
 using test::compare;
+using test::log_uniform;
 using test::Random;
 using test::Scene;
 using test::Tally;
 using test::uniform;
-
-double log_uniform(Random& random, double lo, double hi) {
-  return std::exp(uniform(random, std::log(lo), std::log(hi)));
-}
-
-/// By the rotation of an integer quaternion times its squared norm; coordinates are rounded.
-PolygonMesh turned(PolygonMesh m, const std::array<int, 4>& q) {
-  const auto [a, b, c, d] = q;
-  const int r[3][3] = {{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-                       {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-                       {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
-  for (Point3& p : m.points) {
-    const Point3 x = p;
-    for (int k = 0; k < 3; ++k) p[k] = r[k][0] * x.x + r[k][1] * x.y + r[k][2] * x.z;
-  }
-  return m;
-}
 
 /// A rectangle of any size about a point beside an edge that is no diagonal of a flat facet.
 Rect rect_at_edge(Random& random, const Scene& scene, double most_off = 0.05) {
@@ -71,7 +56,7 @@ void run_rows(std::uint64_t seed, int rectangles, std::size_t candidates, Tally&
   Random random(seed);
   for (const auto& q : {std::array{5, 1, -2, 2}, std::array{1, 2, 3, 4}})
     for (const int holes : {2, 3}) {
-      const Scene scene("rotated plate", turned(shapes::plate(holes, 6), q));
+      const Scene scene("rotated plate", test::turn_by_quaternion(shapes::plate(holes, 6), q));
       for (int k = 0; k < rectangles; ++k) {
         const Rect r = rect_at_edge(random, scene, 1e-3);
         const auto near = scene.near(r);

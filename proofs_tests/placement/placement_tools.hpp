@@ -31,29 +31,6 @@ struct PlacedRun {
   MedialResult result;
 };
 
-inline LongPoint nearest_on_triangle(const LongPoint& q, const std::array<LongPoint, 3>& t) {
-  const auto at = [](const LongPoint& a, const LongPoint& u, long double s) {
-    return LongPoint{a[0] + s * u[0], a[1] + s * u[1], a[2] + s * u[2]};
-  };
-  const LongPoint u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(q, t[0]);
-  const long double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
-  const long double det = uu * vv - uv * uv, s = (vv * wu - uv * wv) / det,
-                    r = (uu * wv - uv * wu) / det;
-  if (s >= 0 && r >= 0 && s + r <= 1) return at(at(t[0], u, s), v, r);
-  LongPoint best{};
-  long double least = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const LongPoint &a = t[k], e = minus(t[(k + 1) % 3], a);
-    const LongPoint y = at(a, e, std::clamp(dot(minus(q, a), e) / dot(e, e), 0.0L, 1.0L));
-    const long double d = dot(minus(q, y), minus(q, y));
-    if (least < 0 || d < least) {
-      least = d;
-      best = y;
-    }
-  }
-  return best;
-}
-
 struct PlainFoot {
   LongPoint foot{};
   long double distance = 0;
