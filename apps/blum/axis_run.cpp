@@ -1,36 +1,19 @@
 #include "axis_run.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <thread>
 #include <utility>
 
 #include "blum/kernel/mesh.hpp"
-#include "blum/kernel/validate.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/placement/placement.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "progress_bar.hpp"
 #include "report.hpp"
+#include "threads_option.hpp"
 
 namespace blum::app {
-namespace {
-
-double diagonal_of(const PolygonMesh& mesh) {
-  Point3 lo = mesh.points.front(), hi = lo;
-  for (const Point3& p : mesh.points) {
-    for (int k = 0; k < 3; ++k) {
-      lo[k] = std::min(lo[k], p[k]);
-      hi[k] = std::max(hi[k], p[k]);
-    }
-  }
-  return std::hypot(hi.x - lo.x, hi.y - lo.y, hi.z - lo.z);
-}
-
-}  // namespace
-
 void add_axis_options(CLI::App& command, AxisArguments& arguments) {
   MedialOptions& options = arguments.options;
   command.add_option("MODEL", arguments.model, "OFF, OBJ, STL or PLY")->required();
@@ -46,11 +29,7 @@ void add_axis_options(CLI::App& command, AxisArguments& arguments) {
   command.add_option("--time-limit", options.time_limit_s, "Seconds of computing; 0: no limit")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
-  options.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 1024);
-  command
-      .add_option("--threads", options.threads,
-                  "The result does not depend on it (default: the number of cores)")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(command, options.threads);
 }
 
 std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
@@ -61,13 +40,11 @@ std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
   }
   Result<Solid> solid = build_solid(mesh.value());
   if (!solid) {
-    code = solid.error().code == ErrorCode::kInvalidSolid
-               ? report_invalid(arguments.model, validate_mesh(mesh.value()))
-               : report(solid.error());
+    code = report_no_solid(solid.error(), arguments.model, mesh.value());
     return std::nullopt;
   }
   AxisRun run;
-  run.diagonal = diagonal_of(mesh.value());
+  run.diagonal = diameter(bounds_of(mesh.value().points));
   for (const std::string& warning : solid.value().warnings) {
     std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
   }
@@ -75,7 +52,7 @@ std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
   AngleOptions angles;
   angles.wanted = true;
   AxisPlacement placement(solid.value(), {});
-  const DeferInterrupts deferred;
+  defer_interrupts();
   ProgressBar bar;
   arguments.options.on_progress = [&bar](const Progress& progress) {
     bar.show(progress);
@@ -84,8 +61,7 @@ std::optional<AxisRun> run_axis(AxisArguments arguments, int& code) {
   Result<MedialResult> axis =
       compute_medial_axis(solid.value(), arguments.options, angles, {}, placement.review());
   if (interrupted_by() != 0) {
-    std::cerr << "blum: interrupted\n";
-    code = kSignalBase + interrupted_by();
+    code = report_interrupted();
     return std::nullopt;
   }
   if (!axis) {

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "exit_code.hpp"
+#include "report.hpp"
 
 namespace blum::app {
 namespace {
@@ -97,6 +98,7 @@ void print(const Contents& c, std::ostream& out) {
 
 int run_certificate(const std::string& file) {
   std::ifstream in(file);
+  if (!in) return report(Error{ErrorCode::kFileNotFound, "cannot be opened", file, std::nullopt});
   Contents contents;
   std::size_t line = 0;
   try {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -17,6 +18,15 @@ inline const CLI::Validator kDigits(
       return is_good ? std::string() : "not a whole number from 0: " + text;
     },
     "", "digits");
+
+/// CLI11's ranges let it pass. (Shown nowhere: the range says enough.)
+inline const CLI::Validator kNotNan(
+    [](std::string& text) {
+      double value = 0;
+      const bool is_nan = CLI::detail::lexical_cast(text, value) && std::isnan(value);
+      return is_nan ? "not a number: " + text : std::string();
+    },
+    "", "number");
 
 [[nodiscard]] Command add_info_command(CLI::App& app);
 [[nodiscard]] Command add_make_command(CLI::App& app);

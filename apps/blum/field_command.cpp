@@ -186,7 +186,7 @@ int run_field(FieldArguments arguments) {
   }
   if (arguments.is_dry_run) return kSuccess;
 
-  const DeferInterrupts deferred;
+  defer_interrupts();
   const auto start = std::chrono::steady_clock::now();
   FieldProgress progress;
   FieldArguments with_progress = arguments;
@@ -194,8 +194,7 @@ int run_field(FieldArguments arguments) {
   const Result<FieldOutcome> outcome =
       compute(with_progress, sites.value(), grid.value(), solid ? &*solid : nullptr);
   if (interrupted_by() != 0) {
-    std::cerr << "blum: interrupted\n";
-    return kSignalBase + interrupted_by();
+    return report_interrupted();
   }
   if (!outcome) return report(outcome.error());
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <iostream>
 
 #include "exit_code.hpp"
 
@@ -38,9 +39,13 @@ void catch_signals() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
-DeferInterrupts::DeferInterrupts() { is_deferred = true; }
-DeferInterrupts::~DeferInterrupts() { is_deferred = false; }
+void defer_interrupts() { is_deferred = true; }
 
 int interrupted_by() { return caught_signal; }
+
+int report_interrupted() {
+  std::cerr << "blum: interrupted\n";
+  return kSignalBase + interrupted_by();
+}
 
 }  // namespace blum::app

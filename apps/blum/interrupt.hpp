@@ -4,21 +4,19 @@
 
 namespace blum::app {
 
-/// Also of SIGXFSZ, which is ignored: a write beyond the limit on file sizes then fails like one on a
-/// full disk, and the temporary file can be removed.
+/// Also of SIGXFSZ, which is ignored: a write beyond the limit on file sizes then fails like one on
+/// a full disk, and the temporary file can be removed.
 void catch_signals();
 
-/// While one is alive, the first signal only sets a flag; a second one ends the program all the
-/// same. Not nested.
-class DeferInterrupts {
- public:
-  DeferInterrupts();
-  ~DeferInterrupts();
-  DeferInterrupts(const DeferInterrupts&) = delete;
-  DeferInterrupts& operator=(const DeferInterrupts&) = delete;
-};
+/// From here to the end of the program the first signal only sets a flag, which the caller looks at
+/// until it writes: once files stand, the exit code is that of a run that was not interrupted. A
+/// second signal ends the program all the same.
+void defer_interrupts();
 
 /// The signal that came while deferred, or 0.
 [[nodiscard]] int interrupted_by();
+
+/// Says that the run was interrupted and returns the exit code for it. Requires interrupted_by().
+int report_interrupted();
 
 }  // namespace blum::app

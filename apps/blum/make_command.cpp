@@ -178,7 +178,7 @@ int run_make(const MakeArguments& arguments) {
   if (!solid) {
     return report_usage("these parameters give no valid solid: " + solid.error().message);
   }
-  const DeferInterrupts deferred;  // the file is written whole
+  defer_interrupts();  // the file is written whole
   if (const auto error = write_off(mesh, arguments.output)) return report(*error);
   const auto betti = solid.value().betti();
   std::cout << arguments.output << ": " << mesh.points.size() << " vertices, " << mesh.faces.size()

@@ -1,22 +1,18 @@
 // `blum medial` and `blum voronoi`: from a file to the certified medial axis or Voronoi diagram, in
 // files and as a summary.
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <optional>
-#include <thread>
 
 #include "blum/kernel/flatten.hpp"
 #include "blum/kernel/mesh.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/solid.hpp"
-#include "blum/kernel/validate.hpp"
 #include "blum/medial/graph.hpp"
 #include "blum/medial/io.hpp"
 #include "blum/medial/medial_axis.hpp"
@@ -32,8 +28,10 @@
 #include "exit_code.hpp"
 #include "hints.hpp"
 #include "interrupt.hpp"
+#include "output_names.hpp"
 #include "progress_bar.hpp"
 #include "report.hpp"
+#include "threads_option.hpp"
 
 namespace blum::app {
 namespace {
@@ -57,22 +55,7 @@ struct MedialArguments {
   MedialOptions options;
 };
 
-constexpr int kMostThreads = 1024;
 constexpr std::uint64_t kMostMemoryMib = std::uint64_t{1} << 32;
-
-int cores() {
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
-}
-
-double diagonal(const PolygonMesh& mesh) {
-  Point3 lo = mesh.points.front(), hi = lo;
-  for (const Point3& p : mesh.points)
-    for (int k = 0; k < 3; ++k) {
-      lo[k] = std::min(lo[k], p[k]);
-      hi[k] = std::max(hi[k], p[k]);
-    }
-  return std::hypot(hi.x - lo.x, hi.y - lo.y, hi.z - lo.z);
-}
 
 class Stopwatch {
  public:
@@ -104,61 +87,9 @@ std::vector<fs::path> outputs(const MedialArguments& arguments) {
   return files;
 }
 
-/// The same for two names of one file in a folder, however the folder is called.
-fs::path identity(const fs::path& file) {
-  std::error_code ignored;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const fs::path canonical = fs::canonical(folder, ignored);
-  return (canonical.empty() ? folder.lexically_normal() : canonical) / file.filename();
-}
-
-/// What is wrong with the names of the files, if anything.
-std::optional<std::string> conflict(const fs::path& model, const std::vector<fs::path>& files) {
-  std::map<fs::path, fs::path> known;
-  for (const fs::path& file : files) {
-    std::error_code ignored;
-    if (fs::equivalent(file, model, ignored)) {
-      return "the model would be overwritten; choose another name with -o";
-    }
-    const auto [other, is_new] = known.emplace(identity(file), file);
-    if (!is_new) {
-      return "two outputs would go to one file: " + other->second.string() + " and " +
-             file.string();
-    }
-  }
-  return std::nullopt;
-}
-
-/// Finds out before the work whether its result can be kept. (The writers check again.)
-std::optional<Error> output_problem(const std::vector<fs::path>& files) {
-  for (const fs::path& file : files) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    std::error_code ignored;
-    const char* problem = nullptr;
-    if (!fs::is_directory(folder, ignored)) {
-      problem = "its folder does not exist";
-    } else if (fs::is_directory(file, ignored)) {
-      problem = "it is a directory";
-    } else if (fs::is_other(file, ignored)) {
-      problem = "it is not a regular file";
-    } else if (access(folder.c_str(), W_OK) != 0) {
-      problem = "its folder is not writable";
-    }
-    if (problem != nullptr) {
-      return Error{ErrorCode::kOutputNotWritten, problem, file.string(), std::nullopt};
-    }
-  }
-  return std::nullopt;
-}
-
 Error in_file(Error error, const std::string& file) {
   error.file = file;
   return error;
-}
-
-int interrupted() {
-  std::cerr << "blum: interrupted\n";
-  return kSignalBase + interrupted_by();
 }
 
 int run_medial(MedialArguments arguments) {
@@ -208,11 +139,7 @@ int run_medial(MedialArguments arguments) {
   if (!mesh) return report(mesh.error());
   summary.read_s = phase.lap();
   Result<Solid> solid = build_solid(mesh.value());
-  if (!solid) {
-    return solid.error().code == ErrorCode::kInvalidSolid
-               ? report_invalid(arguments.model, validate_mesh(mesh.value()))
-               : report(solid.error());
-  }
+  if (!solid) return report_no_solid(solid.error(), arguments.model, mesh.value());
   FlattenReport changed;
   if (arguments.coplanar_tolerance > 0) {
     Result<Flattened> flattened = flatten_facets(mesh.value(), arguments.coplanar_tolerance);
@@ -227,7 +154,7 @@ int run_medial(MedialArguments arguments) {
     std::cerr << "blum: warning: " << arguments.model << ": " << warning << '\n';
   }
   arguments.options.max_memory_bytes = arguments.max_memory_mib << 20;
-  const double unit = diagonal(mesh.value());
+  const double unit = diameter(bounds_of(mesh.value().points));
   const bool medial = arguments.kind == DiagramKind::kMedial;
   arguments.options.max_leaf_diameter =
       (medial ? arguments.leaf_diameter : arguments.epsilon) * unit;
@@ -238,10 +165,10 @@ int run_medial(MedialArguments arguments) {
   }
   if (const auto problem = output_problem(files)) return report(*problem);
 
-  const DeferInterrupts deferred;  // the engine looks at the flag, files are written whole
+  defer_interrupts();  // the engine looks at the flag, files are written whole
   Result<Hints> hints =
       make_hints(arguments.hints, mesh.value(), solid.value(), arguments.options.threads);
-  if (interrupted_by() != 0) return interrupted();
+  if (interrupted_by() != 0) return report_interrupted();
   if (!hints) return report(hints.error());
   arguments.options.distance_hint = hints.value().hint;
   // The certificate is streamed, under another name until it is whole.
@@ -270,7 +197,7 @@ int run_medial(MedialArguments arguments) {
   };
   const Result<MedialResult> result = compute();
   if (interrupted_by() != 0 || !result) drop_certificate();
-  if (interrupted_by() != 0) return interrupted();
+  if (interrupted_by() != 0) return report_interrupted();
   if (!result) return report(result.error());
   if (sink) {
     certificate.close();
@@ -285,14 +212,8 @@ int run_medial(MedialArguments arguments) {
 
   // What the files hold: the mesh of the complex, smoothed or pruned where that is asked for.
   MedialResult drawn = placement ? placement->realized(result.value()) : result.value();
-  PlacementReport placed;
   if (placement) {
-    placed = placement->report();
-    if (!result.value().certified) {
-      placed.bound = std::numeric_limits<double>::infinity();
-      placed.reached = !(arguments.epsilon > 0);
-    }
-    summary.sections.push_back(placement_section(placed, placement->mesh(), unit));
+    summary.sections.push_back(placement_section(placement->report(), placement->mesh(), unit));
   }
   if (arguments.reconstruction) {
     summary.sections.push_back(
@@ -347,7 +268,7 @@ int run_medial(MedialArguments arguments) {
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
   for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
-  const bool reached = !placement || placed.reached;
+  const bool reached = !placement || placement->report().reached;
   return certified && reached ? kSuccess : kNotCertified;
 }
 
@@ -394,12 +315,7 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
                    "MiB that the process may take; 0: no limit")
       ->check(CLI::Range(std::uint64_t{0}, kMostMemoryMib))
       ->capture_default_str();
-  options.threads = cores();
-  medial
-      ->add_option("--threads", options.threads,
-                   "The result does not depend on it (default: the number of cores)")
-      ->check(CLI::Range(1, kMostThreads))
-      ->capture_default_str();
+  add_threads_option(*medial, options.threads)->capture_default_str();
   add_hint_options(*medial, arguments->hints);
   return arguments;
 }

@@ -1,16 +1,15 @@
 // `blum render`: a result as a picture.
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "blum/show/render.hpp"
 #include "camera_options.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "report.hpp"
+#include "threads_option.hpp"
 
 namespace blum::app {
 namespace {
@@ -84,6 +83,7 @@ Command add_render_command(CLI::App& app) {
       ->add_option("--theta", options.theta_deg,
                    "Degrees: the axis simplified by this angle (needs blum medial --angles)")
       ->check(CLI::Range(0.0, 180.0))
+      ->check(kNotNan)
       ->capture_default_str();
   render->add_option("--section", arguments->section,
                      "Cut away what is above a plane: x, y:0.3 (at 0.3 of the box), -z:0.5 (the\n"
@@ -94,11 +94,7 @@ Command add_render_command(CLI::App& app) {
   render->add_flag("!--no-rims", options.rims, "Without rims");
   render->add_flag("!--no-undecided", options.undecided, "Without the boxes that are undecided");
   render->add_flag("!--no-legend", options.legend, "Without the legend of the colours");
-  options.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 1024);
-  render
-      ->add_option("--threads", options.threads,
-                   "The picture does not depend on it (default: the number of cores)")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(*render, options.threads, "The picture");
   render->footer(R"(Examples:
   blum render out/part -o part.png
   blum render out/part -o part.png --theta 60 --colour sheet --azimuth 30 --elevation 20

@@ -72,4 +72,9 @@ int report_invalid(const std::string& file, const ValidationReport& validation) 
   return kInput;
 }
 
+int report_no_solid(const Error& error, const std::string& file, const PolygonMesh& mesh) {
+  return error.code == ErrorCode::kInvalidSolid ? report_invalid(file, validate_mesh(mesh))
+                                                : report(error);
+}
+
 }  // namespace blum::app

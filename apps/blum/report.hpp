@@ -22,5 +22,7 @@ int report_usage(const std::string& message);
 
 /// The same for a mesh that bounds no solid: one line for each class of defects.
 int report_invalid(const std::string& file, const ValidationReport& validation);
+/// Why build_solid refused the mesh of the file.
+int report_no_solid(const Error& error, const std::string& file, const PolygonMesh& mesh);
 
 }  // namespace blum::app

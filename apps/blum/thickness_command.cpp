@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "axis_run.hpp"
 #include "blum/medial/io.hpp"
@@ -14,6 +15,8 @@
 #include "blum/thickness/thickness.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "output_names.hpp"
 #include "report.hpp"
 
 namespace blum::app {
@@ -76,8 +79,21 @@ void print_thinnest(const Thickness& thickness) {
             << '\n';
 }
 
+/// 0 if the files of the prefix can be written; else what is wrong has been reported.
+int refuse_outputs(const fs::path& prefix, const std::vector<const char*>& suffixes,
+                   const std::string& model) {
+  std::vector<fs::path> files;
+  for (const char* suffix : suffixes) files.push_back(with_suffix(prefix, suffix));
+  if (const auto problem = conflict(model, files)) return report_usage(*problem);
+  if (const auto problem = output_problem(files)) return report(*problem);
+  return kSuccess;
+}
+
 int run_thickness(ThicknessArguments arguments) {
-  int code = kSuccess;
+  const fs::path prefix = prefix_of(arguments.prefix, arguments.axis.model, ".thickness");
+  const std::vector<const char*> suffixes{".vtp", ".ply", ".csv", ".png"};
+  int code = refuse_outputs(prefix, suffixes, arguments.axis.model);
+  if (code != kSuccess) return code;
   std::optional<AxisRun> run = run_axis(arguments.axis, code);
   if (!run) return code;
   ThicknessOptions& options = arguments.options;
@@ -86,9 +102,9 @@ int run_thickness(ThicknessArguments arguments) {
   if (options.density == 0) options.density = kUsualSamples / surface_area(run->solid);
   const Result<Thickness> measured = measure_thickness(run->solid, run->axis, options);
   if (!measured) return report_usage("--density: " + measured.error().message);
+  if (interrupted_by() != 0) return report_interrupted();
   const Thickness& thickness = measured.value();
 
-  const fs::path prefix = prefix_of(arguments.prefix, arguments.axis.model, ".thickness");
   const ThicknessHistogram bars = histogram(thickness, arguments.bins);
   if (const auto error = write_thickness(thickness, prefix)) return report(*error);
   if (const auto error = write_text(histogram_csv(bars), with_suffix(prefix, ".csv"))) {
@@ -122,7 +138,7 @@ int run_thickness(ThicknessArguments arguments) {
               << " samples with the centre on no sheet that the complex tells apart\n";
   }
   print_thinnest(thickness);
-  for (const char* suffix : {".vtp", ".ply", ".csv", ".png"}) {
+  for (const char* suffix : suffixes) {
     std::cout << "wrote " << with_suffix(prefix, suffix).string() << '\n';
   }
   return run->axis.certified ? kSuccess : kNotCertified;
@@ -135,11 +151,14 @@ struct MidsurfaceArguments {
 };
 
 int run_midsurface(const MidsurfaceArguments& arguments) {
-  int code = kSuccess;
+  const fs::path prefix = prefix_of(arguments.prefix, arguments.axis.model, ".midsurface");
+  const std::vector<const char*> suffixes{".vtp", ".ply"};
+  int code = refuse_outputs(prefix, suffixes, arguments.axis.model);
+  if (code != kSuccess) return code;
   const std::optional<AxisRun> run = run_axis(arguments.axis, code);
   if (!run) return code;
   const Midsurface middle = midsurface(run->axis, arguments.options);
-  const fs::path prefix = prefix_of(arguments.prefix, arguments.axis.model, ".midsurface");
+  if (interrupted_by() != 0) return report_interrupted();
   if (const auto error = write_midsurface(middle, prefix)) return report(*error);
   std::cout << "model      " << arguments.axis.model << '\n'
             << "axis       " << (run->axis.certified ? "certified" : "NOT certified") << ", "
@@ -149,7 +168,7 @@ int run_midsurface(const MidsurfaceArguments& arguments) {
             << " triangles, area " << six(middle.area) << "; " << middle.junction_lines
             << " edges where three or more meet\n"
             << "thickness  " << six(middle.least) << " to " << six(middle.most) << '\n';
-  for (const char* suffix : {".vtp", ".ply"}) {
+  for (const char* suffix : suffixes) {
     std::cout << "wrote " << with_suffix(prefix, suffix).string() << '\n';
   }
   return run->axis.certified ? kSuccess : kNotCertified;
@@ -166,13 +185,15 @@ Command add_thickness_command(CLI::App& app) {
   thickness
       ->add_option("--density", arguments->options.density,
                    "Samples per squared model unit (default: 20,000 samples on the whole model)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->check(kNotNan);
   thickness
       ->add_option(
           "--theta", arguments->options.theta_deg,
           "Degrees: samples count whose ball is centred on a sheet of this angle or more;\n"
           "smaller ones come from edges that bend a little, not from walls")
       ->check(CLI::Range(0.0, 180.0))
+      ->check(kNotNan)
       ->capture_default_str();
   thickness->add_option("--bins", arguments->bins, "Bars of the histogram")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
@@ -202,11 +223,13 @@ Command add_midsurface_command(CLI::App& app) {
                    "Degrees: sheets whose feet are somewhere seen under so large an angle, 180\n"
                    "being opposite faces")
       ->check(CLI::Range(0.0, 180.0))
+      ->check(kNotNan)
       ->capture_default_str();
   middle
       ->add_option("--max-thickness", arguments->options.most_thickness,
                    "Model units: leave out sheets that are thicker somewhere (default: none)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->check(kNotNan);
   middle->add_option("-o,--output", arguments->prefix,
                      "PREFIX of the files (default: the model's name and .midsurface, here)");
   middle->footer(R"(Writes PREFIX.vtp and PREFIX.ply, with the thickness at each vertex. Where walls

@@ -5,7 +5,6 @@
 
 #include "blum/kernel/mesh.hpp"
 #include "blum/kernel/solid.hpp"
-#include "blum/kernel/validate.hpp"
 #include "blum/verify/verify.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
@@ -24,20 +23,15 @@ int run_verify(const VerifyArguments& arguments) {
   const Result<PolygonMesh> mesh = read_mesh(arguments.model);
   if (!mesh) return report(mesh.error());
   const Result<Solid> solid = build_solid(mesh.value());
-  if (!solid) {
-    return solid.error().code == ErrorCode::kInvalidSolid
-               ? report_invalid(arguments.model, validate_mesh(mesh.value()))
-               : report(solid.error());
-  }
+  if (!solid) return report_no_solid(solid.error(), arguments.model, mesh.value());
   std::ifstream certificate(arguments.certificate);
   if (!certificate) {
-    std::cerr << "blum: error: " << arguments.certificate << ": cannot be opened\n";
-    return kInput;
+    return report(Error{ErrorCode::kFileNotFound, "cannot be opened", arguments.certificate, {}});
   }
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const SolidTriangle& t : solid.value().triangle) triangles.push_back(t.vertex);
 
-  const DeferInterrupts deferred;
+  defer_interrupts();
   const auto check = [&] {
     ProgressBar bar;
     std::size_t leaves = 0;
@@ -48,8 +42,7 @@ int run_verify(const VerifyArguments& arguments) {
   };
   const verify::Answer answer = check();
   if (interrupted_by() != 0) {
-    std::cerr << "blum: interrupted\n";
-    return kSignalBase + interrupted_by();
+    return report_interrupted();
   }
   using Outcome = verify::Answer::Outcome;
   if (answer.outcome == Outcome::kUnreadable) {

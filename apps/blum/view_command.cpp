@@ -36,10 +36,12 @@ void add_camera_options(CLI::App& command, Camera& camera) {
       .add_option("--azimuth", camera.azimuth_deg,
                   "Degrees: where the camera is, from the x axis towards the y axis")
       ->check(CLI::Range(-360.0, 360.0))
+      ->check(kNotNan)
       ->capture_default_str();
   command
       .add_option("--elevation", camera.elevation_deg, "Degrees of the camera above the xy plane")
       ->check(CLI::Range(-89.9, 89.9))
+      ->check(kNotNan)
       ->capture_default_str();
 }
 

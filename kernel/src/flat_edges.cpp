@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rounded_vectors.hpp"
+#include "blum/kernel/point_algebra.hpp"
 
 namespace blum {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 Point3 normal(const Solid& solid, std::uint32_t triangle) {
   const auto& v = solid.triangle[triangle].vertex;
   const Point3& a = solid.point[v[0]];
-  return cross(difference(solid.point[v[1]], a), difference(solid.point[v[2]], a));
+  return cross(solid.point[v[1]] - a, solid.point[v[2]] - a);
 }
 
 /// How far a triangle with the vertex `on_plane` reaches off the plane.
@@ -19,10 +19,10 @@ double distance_off(const Solid& solid, std::uint32_t triangle, std::uint32_t on
                     const Point3& normal) {
   double most = 0;
   for (const std::uint32_t v : solid.triangle[triangle].vertex) {
-    const Point3 to_v = difference(solid.point[v], solid.point[on_plane]);
-    most = std::max(most, std::abs(dot(normal, to_v)));
+    const Point3 to_v = solid.point[v] - solid.point[on_plane];
+    most = std::max(most, std::abs(inner(normal, to_v)));
   }
-  return most / norm(normal);
+  return most / length(normal);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::vector<bool> nearly_flat_edges(const Solid& solid, double tolerance) {
     const Point3 n0 = normal(solid, e.triangle[0]), n1 = normal(solid, e.triangle[1]);
     const double off = std::max(distance_off(solid, e.triangle[0], e.vertex[0], n1),
                                 distance_off(solid, e.triangle[1], e.vertex[0], n0));
-    nearly_flat.push_back(e.kind != EdgeKind::kFlat && dot(n0, n1) > 0 &&
+    nearly_flat.push_back(e.kind != EdgeKind::kFlat && inner(n0, n1) > 0 &&
                           solid.frame.length_to_model(off) <= tolerance);
   }
   return nearly_flat;

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "blum/kernel/point_algebra.hpp"
 #include "flat_edges.hpp"
 #include "flatten_levels.hpp"
 #include "flatten_slivers.hpp"
-#include "rounded_vectors.hpp"
 #include "validate_surface.hpp"
 
 namespace blum {
@@ -23,29 +23,18 @@ constexpr double kNearlyParallel = 0.9;
 
 using Face = std::vector<std::uint32_t>;
 
-double diagonal(const std::vector<Point3>& points) {
-  Point3 lo = points.front(), hi = lo;
-  for (const Point3& p : points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      lo[axis] = std::min(lo[axis], p[axis]);
-      hi[axis] = std::max(hi[axis], p[axis]);
-    }
-  }
-  return norm(difference(hi, lo));
-}
-
 Point3 newell_normal(const std::vector<Point3>& points, const Face& face) {
   Point3 n;
   for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-    const Point3 part = cross(difference(points[face[k]], points[face[0]]),
-                              difference(points[face[k + 1]], points[face[0]]));
+    const Point3 part =
+        cross(points[face[k]] - points[face[0]], points[face[k + 1]] - points[face[0]]);
     for (int axis = 0; axis < 3; ++axis) n[axis] += part[axis];
   }
   return n;
 }
 
 bool is_nearly_parallel(const Point3& direction, int axis) {
-  return std::abs(direction[axis]) > kNearlyParallel * norm(direction);
+  return std::abs(direction[axis]) > kNearlyParallel * length(direction);
 }
 
 /// Which vertices' coordinates along an axis are those of a nearly axis-parallel facet or edge that
@@ -63,7 +52,7 @@ std::vector<bool> level_vertices(const PolygonMesh& mesh, int axis, double reach
     }
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t v = face[k], w = face[(k + 1) % face.size()];
-      const Point3 along = difference(at(w), at(v));
+      const Point3 along = at(w) - at(v);
       for (const int upright : {u_axis(axis), v_axis(axis)}) {
         const int other = 3 - axis - upright;
         if (std::max(std::abs(along[axis]), std::abs(along[other])) <= 2 * reach &&
@@ -120,7 +109,8 @@ Result<Flattened> flatten_facets(const PolygonMesh& mesh, double tolerance) {
   PolygonMesh& changed = flattened.mesh;
   FlattenReport& report = flattened.report;
   report.tolerance = tolerance;
-  const double allowed = tolerance * diagonal(mesh.points), reach = kShareOfAnAxis * allowed;
+  const double allowed = tolerance * diameter(bounds_of(mesh.points)),
+               reach = kShareOfAnAxis * allowed;
   for (int axis = 0; axis < 3; ++axis) {
     // What is level is read off the mesh as given, so that the axes do not influence each other.
     put_on_levels(changed, axis, level_vertices(mesh, axis, reach), reach);
@@ -129,7 +119,7 @@ Result<Flattened> flatten_facets(const PolygonMesh& mesh, double tolerance) {
     if (changed.points[v] == mesh.points[v]) continue;
     ++report.vertices_moved;
     report.largest_displacement =
-        std::max(report.largest_displacement, norm(difference(changed.points[v], mesh.points[v])));
+        std::max(report.largest_displacement, distance_between(changed.points[v], mesh.points[v]));
   }
   report.slivers_dropped = drop_collapsed_triangles(mesh, changed);
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "blum/kernel/point_algebra.hpp"
 #include "exact_geometry.hpp"
-#include "rounded_vectors.hpp"
 
 namespace blum {
 namespace {
@@ -33,7 +33,7 @@ bool has_collapsed(const PolygonMesh& before, const PolygonMesh& after, const Fa
 /// Begins the triangle at the corner opposite its longest side.
 void begin_at_middle(const PolygonMesh& mesh, Face& triangle) {
   const auto opposite = [&](int k) {
-    return norm(difference(mesh.points[triangle[(k + 1) % 3]], mesh.points[triangle[(k + 2) % 3]]));
+    return distance_between(mesh.points[triangle[(k + 1) % 3]], mesh.points[triangle[(k + 2) % 3]]);
   };
   int middle = 0;
   for (int k = 1; k < 3; ++k) {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/solid.hpp"
-#include "rounded_vectors.hpp"
 #include "validate_surface.hpp"
 
 namespace blum {
@@ -22,17 +22,18 @@ double dihedral_deg(const Solid& solid, const SolidEdge& e) {
   const auto normal = [&](std::uint32_t t) {
     const auto& v = solid.triangle[t].vertex;
     const Point3& a = solid.point[v[0]];
-    return cross(difference(solid.point[v[1]], a), difference(solid.point[v[2]], a));
+    return cross(solid.point[v[1]] - a, solid.point[v[2]] - a);
   };
   const Point3 n0 = normal(e.triangle[0]), n1 = normal(e.triangle[1]);
-  const double turn = std::atan2(norm(cross(n0, n1)), dot(n0, n1)) * 180 / std::numbers::pi;
+  const double turn = std::atan2(length(cross(n0, n1)), inner(n0, n1)) * 180 / std::numbers::pi;
   return e.kind == EdgeKind::kConvex ? 180 - turn : 180 + turn;
 }
 
 double volume(const Solid& solid) {
   double sum = 0;
   for (const SolidTriangle& t : solid.triangle) {
-    sum += dot(solid.point[t.vertex[0]], cross(solid.point[t.vertex[1]], solid.point[t.vertex[2]]));
+    sum +=
+        inner(solid.point[t.vertex[0]], cross(solid.point[t.vertex[1]], solid.point[t.vertex[2]]));
   }
   return std::ldexp(sum / 6, 3 * solid.frame.exponent);
 }
@@ -108,11 +109,11 @@ MeshInfo mesh_info(const PolygonMesh& mesh) {
   info.triangles = surface.triangle.size();
   info.bounding_box = bounding_box(mesh);
   const double diagonal =
-      info.bounding_box ? norm(difference(info.bounding_box->hi, info.bounding_box->lo)) : 0;
+      info.bounding_box ? distance_between(info.bounding_box->hi, info.bounding_box->lo) : 0;
   double shortest = std::numeric_limits<double>::infinity();
   surface.face_edges.for_each_edge([&](std::span<const HalfEdge> e) {
     ++info.edges;
-    const double length = norm(difference(mesh.points[e[0].low], mesh.points[e[0].high]));
+    const double length = distance_between(mesh.points[e[0].low], mesh.points[e[0].high]);
     if (std::isnan(length)) return;
     shortest = std::min(shortest, length);
     info.short_edges += length < kShortEdge * diagonal;

@@ -29,12 +29,6 @@ AnglePlan angle_plan(const Solid& solid, const std::vector<LeafParts>& leaves,
     if (leaf.rest != VertexParts::kNone)
       plan.tasks[leaf.rest].push_back({l, {AngleRole::Kind::kRest, 0, 0}});
   }
-  const auto to_working = [&](const Point3& p) {
-    Point3 x;
-    for (int k = 0; k < 3; ++k)
-      x[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
-    return x;
-  };
   const auto offer = [&](std::uint32_t part, AngleStart start, std::uint32_t leaf) {
     auto& starts = plan.starts[part];
     if (starts.size() >= 8 * kStarts) return;
@@ -51,10 +45,11 @@ AnglePlan angle_plan(const Solid& solid, const std::vector<LeafParts>& leaves,
   for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
     const ComplexTriangle& triangle = complex.triangle[t];
     const auto l = list_of[complex.cone[triangle.cone].leaf];
-    const Point3 apex = to_working(complex.vertex[complex.cone[triangle.cone].apex].position);
+    const Point3 apex =
+        solid.frame.to_working(complex.vertex[complex.cone[triangle.cone].apex].position);
     const auto& base = complex.edge[triangle.edge[0]].vertex;
-    const std::array<Point3, 2> end{to_working(complex.vertex[base[0]].position),
-                                    to_working(complex.vertex[base[1]].position)};
+    const std::array<Point3, 2> end{solid.frame.to_working(complex.vertex[base[0]].position),
+                                    solid.frame.to_working(complex.vertex[base[1]].position)};
     for (const double along : {0.5, 0.1, 0.9})
       for (const double up : {0.0, 0.3})
         offer(parts.triangle_sheet[t],

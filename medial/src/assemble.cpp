@@ -495,8 +495,8 @@ void Assembler::add_leaf(std::uint32_t index) {
       placed.on_axis = true;
       placed.governors = {geometry_.index().vertex(leaf.boundary_vertex)};
     } else {
-      Point3 x =
-          solid_.frame.to_working({c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
+      Point3 x = solid_.frame.to_working(
+          {c.first.x / c.second, c.first.y / c.second, c.first.z / c.second});
       for (int k = 0; k < 3; ++k) x[k] = std::clamp(x[k], leaf.box.lo[k], leaf.box.hi[k]);
       // A leaf that ∂O crosses need not be convex inside O: then the nearest base vertex serves.
       if ((medial_ || one_sided_) && !is_wanted(x)) x = nearest_base(component, x);
@@ -563,7 +563,7 @@ void Assembler::drop_unused_vertices() {
   std::uint32_t n = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == kNone) continue;
-    complex_.vertex[n] = std::move(complex_.vertex[v]);
+    if (n != v) complex_.vertex[n] = std::move(complex_.vertex[v]);
     number[v] = n++;
   }
   complex_.vertex.resize(n);

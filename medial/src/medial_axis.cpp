@@ -106,12 +106,12 @@ constexpr double kPartOfLeaf = 0.55;
 ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionOptions& options,
                                 EngineSet& engines, const AxisReview& review,
                                 Subdivision& subdivision, Assembly& assembly) {
-  bool last = any_undecided(subdivision) || !assembly.undecided.empty();
+  const bool undecided = any_undecided(subdivision) || !assembly.undecided.empty();
   for (;;) {
     const Parts parts = read_parts(assembly.complex);
-    ReviewVerdict verdict = review({geometry, subdivision, engines, assembly.complex, parts, last});
-    if (verdict.divide.empty() || last) return verdict;
-    last = true;
+    ReviewVerdict verdict =
+        review({geometry, subdivision, engines, assembly.complex, parts, undecided});
+    if (verdict.divide.empty() || undecided) return verdict;
     Result<Subdivision> finer =
         refine(geometry, options, engines, subdivision, verdict.divide, kPartOfLeaf);
     if (!finer || engines.watch().look() != Stop::kNone || any_undecided(finer.value()))
@@ -120,7 +120,6 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
     if (next.stopped || !next.undecided.empty()) return verdict;
     subdivision = std::move(finer.value());
     assembly = std::move(next);
-    last = false;
   }
 }
 
@@ -169,11 +168,9 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
   Assembly assembly = assemble(geometry, subdivided.value(), engines);
   result.time.assemble_s = seconds_since(middle);
-  const auto reviewing = std::chrono::steady_clock::now();
   std::optional<ReviewVerdict> verdict;
   if (review && !assembly.stopped)
     verdict = review_and_refine(geometry, used, engines, review, subdivided.value(), assembly);
-  result.time.review_s = seconds_since(reviewing);
   // Where the review has used up the time, what follows is about a complex that is there.
   if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();

@@ -84,8 +84,9 @@ class FeetFinder {
     return {frame.to_model(corner.foot), vertex, corner.site,
             std::abs(way - frame.length_to_working(v.radius)) <= kFootTolerance};
   }
-  Images images_of(const ComplexTriangle& t) const {
+  Images images_of(const ComplexTriangle& t) {
     const auto side = sides_[t.cone]->sides_of(t.governors);
+    one_side_.push_back(side.size() < 2);
     std::array<Point3, 4> x;
     const auto corner = corners(mesh_.complex, t);
     for (std::size_t k = 0; k < 3; ++k)
@@ -124,9 +125,11 @@ class FeetFinder {
   void orient() {
     const auto& complex = mesh_.complex;
     std::vector<std::array<std::uint32_t, 2>> beside(complex.edge.size(), {kNone, kNone});
-    for (std::uint32_t t = 0; t < complex.triangle.size(); ++t)
-      for (const auto e : complex.triangle[t].edge) beside[e][beside[e][0] == kNone ? 0 : 1] = t;
     std::vector<bool> done(complex.triangle.size(), false), bad(parts_.sheets, false);
+    for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
+      for (const auto e : complex.triangle[t].edge) beside[e][beside[e][0] == kNone ? 0 : 1] = t;
+      if (one_side_[t]) bad[parts_.triangle_sheet[mesh_.triangle[t]]] = true;
+    }
     for (std::uint32_t root = 0; root < done.size(); ++root) {
       if (done[root]) continue;
       std::vector<std::uint32_t> stack{root};
@@ -159,6 +162,7 @@ class FeetFinder {
   const Parts& parts_;
   std::vector<Images> images_;
   std::vector<bool> swapped_;
+  std::vector<bool> one_side_;  // by triangle: its leaf knows one side only
   std::size_t one_sided_ = 0;
 };
 

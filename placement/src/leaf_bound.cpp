@@ -20,6 +20,27 @@ double radius_about(const Point3& center, const std::array<Point3, 3>& triangle)
   return r;
 }
 
+/// Distance from x to the triangle, in double: never less than it but for rounding, for the point
+/// that is used lies on the triangle.
+double distance_to(const std::array<Point3, 3>& triangle, const Point3& x) {
+  const auto& [a, b, c] = triangle;
+  const Point3 ab = b - a, ac = c - a, ax = x - a;
+  const double d00 = inner(ab, ab), d01 = inner(ab, ac), d11 = inner(ac, ac);
+  const double d20 = inner(ax, ab), d21 = inner(ax, ac), det = d00 * d11 - d01 * d01;
+  // Slivers are measured by their edges, which are at most farther.
+  if (det > 1e-12 * d00 * d11) {
+    const double s = (d11 * d20 - d01 * d21) / det, t = (d00 * d21 - d01 * d20) / det;
+    if (s >= 0 && t >= 0 && s + t <= 1) return length(ax - s * ab - t * ac);
+  }
+  const auto to_edge = [&](const Point3& p, const Point3& q) {
+    const Point3 d = q - p;
+    const double square = inner(d, d);
+    const double s = square > 0 ? std::clamp(inner(x - p, d) / square, 0.0, 1.0) : 0;
+    return length(x - p - s * d);
+  };
+  return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+}
+
 /// Largest distance from a triangle of the complex to the axis.
 class TriangleBound {
  public:
@@ -138,25 +159,6 @@ std::optional<double> axis_bound(BoundTools& tools, const LeafSides& leaf,
 }
 
 }  // namespace
-
-double distance_to(const std::array<Point3, 3>& triangle, const Point3& x) {
-  const auto& [a, b, c] = triangle;
-  const Point3 ab = b - a, ac = c - a, ax = x - a;
-  const double d00 = inner(ab, ab), d01 = inner(ab, ac), d11 = inner(ac, ac);
-  const double d20 = inner(ax, ab), d21 = inner(ax, ac), det = d00 * d11 - d01 * d01;
-  // Slivers are measured by their edges, which are at most farther.
-  if (det > 1e-12 * d00 * d11) {
-    const double s = (d11 * d20 - d01 * d21) / det, t = (d00 * d21 - d01 * d20) / det;
-    if (s >= 0 && t >= 0 && s + t <= 1) return length(ax - s * ab - t * ac);
-  }
-  const auto to_edge = [&](const Point3& p, const Point3& q) {
-    const Point3 d = q - p;
-    const double square = inner(d, d);
-    const double s = square > 0 ? std::clamp(inner(x - p, d) / square, 0.0, 1.0) : 0;
-    return length(x - p - s * d);
-  };
-  return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
-}
 
 std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
                                     const std::vector<LeafTriangle>& triangles, double target) {

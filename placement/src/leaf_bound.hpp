@@ -37,7 +37,4 @@ struct BoundTools {
                                                   const std::vector<LeafTriangle>& triangles,
                                                   double target);
 
-/// Distance from x to the triangle, in double, to about 1e-14.
-[[nodiscard]] double distance_to(const std::array<Point3, 3>& triangle, const Point3& x);
-
 }  // namespace blum

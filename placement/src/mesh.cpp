@@ -23,7 +23,6 @@ class Mesher {
       : geometry_(geometry),
         frame_(geometry.solid().frame),
         inside_(inside),
-        whole_(complex),
         parts_(parts),
         sides_(sides) {
     mesh_.complex = complex;
@@ -65,7 +64,6 @@ class Mesher {
   const SiteGeometry& geometry_;
   const Frame& frame_;
   const InsideOracle& inside_;
-  const CellComplex& whole_;
   const Parts& parts_;
   const ConeSides& sides_;
   AxisMesh mesh_;
@@ -261,6 +259,8 @@ AxisMesh mesh_of(const SiteGeometry& geometry, const InsideOracle& inside,
 }
 
 MedialResult with_mesh(const MedialResult& result, const AxisMesh& mesh) {
+  // Halving an edge adds a vertex: this mesh is the complex.
+  if (mesh.vertex.size() == result.complex.vertex.size()) return result;
   MedialResult r = result;
   r.complex = mesh.complex;
   std::vector<std::uint32_t> sheet_at(result.complex.edge.size(), kNone);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
-#include "extent.hpp"
 #include "leaf_bound.hpp"
 #include "place.hpp"
 
@@ -19,7 +19,6 @@ namespace {
 /// diagonal: as a curve leaves its chord by the square of its length, short enough for sheets of
 /// usual radii (leaves where it is not are divided), long enough to keep meshes small.
 constexpr double kEdge = 0.4;
-constexpr std::size_t kMostTriangles = 4'000'000;
 /// Kept for roundings of positions in model units, as a part of the bound.
 constexpr double kSlack = 1e-9;
 
@@ -39,19 +38,14 @@ class Clock {
 
 /// What a leaf's bound depends on, so that it need not be found anew where neither the leaf nor
 /// its mesh has changed.
-struct LeafKey {
-  Box3 box;
-  std::vector<double> coordinates;
-  friend bool operator==(const LeafKey&, const LeafKey&) = default;
-  friend bool operator<(const LeafKey& a, const LeafKey& b) {
-    return a.coordinates < b.coordinates;
-  }
-};
+using LeafKey = std::vector<double>;
 
 }  // namespace
 
 struct AxisPlacement::Impl {
-  Impl(const Solid& s, const PlacementOptions& o) : solid(s), options(o), geometry(s), tree(s) {}
+  Impl(const Solid& s, const PlacementOptions& o) : solid(s), options(o), geometry(s), tree(s) {
+    report.reached = !(o.epsilon > 0);
+  }
 
   ReviewVerdict look(const AssembledAxis& axis);
   ReviewVerdict bound(const AssembledAxis& axis);
@@ -82,20 +76,21 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   report.place_s += clock.lap();
   report.moved = placed.moved;
   report.on_part = placed.on_part;
-  const double edge =
-      options.edge_length > 0
-          ? solid.frame.length_to_working(options.edge_length)
-          : kEdge * std::sqrt(solid.frame.length_to_working(options.epsilon) * extent_of(solid));
+  const double edge = options.edge_length > 0
+                          ? solid.frame.length_to_working(options.edge_length)
+                          : kEdge * std::sqrt(solid.frame.length_to_working(options.epsilon) *
+                                              diameter(bounds_of(solid.point)));
   mesh = mesh_of(geometry, inside, axis.complex, axis.parts, sides,
-                 {edge > 0 ? edge : std::numeric_limits<double>::infinity(), kMostTriangles,
-                  &axis.engines.watch().flag()});
+                 {.edge_length = edge > 0 ? edge : std::numeric_limits<double>::infinity(),
+                  .stop = &axis.engines.watch().flag()});
   report.unconverged = placed.unconverged + mesh.unconverged;
   report.mesh_s += clock.lap();
-  ReviewVerdict verdict = bound(axis);
+  ReviewVerdict verdict{{}, std::numeric_limits<double>::infinity()};
+  if (!axis.undecided) verdict = bound(axis);
   report.bound_s += clock.lap();
   report.bound = verdict.hausdorff_bound;
   report.reached = !(options.epsilon > 0) || report.bound <= options.epsilon;
-  if (!verdict.divide.empty() && !axis.last) ++report.rounds;
+  report.rounds += verdict.divide.empty() ? 0 : 1;
   return verdict;
 }
 
@@ -150,14 +145,13 @@ ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
     task.diameter = size;
     task.sides = sides[mesh.complex.triangle[found->second.front()].cone].get();
     task.triangles = triangles_of(found->second);
-    task.key.box = leaves[l].box;
     for (int k = 0; k < 3; ++k) {
-      task.key.coordinates.push_back(leaves[l].box.lo[k]);
-      task.key.coordinates.push_back(leaves[l].box.hi[k]);
+      task.key.push_back(leaves[l].box.lo[k]);
+      task.key.push_back(leaves[l].box.hi[k]);
     }
     for (const LeafTriangle& t : task.triangles)
       for (const Point3& p : t.corner)
-        for (int k = 0; k < 3; ++k) task.key.coordinates.push_back(p[k]);
+        for (int k = 0; k < 3; ++k) task.key.push_back(p[k]);
     tasks.push_back(std::move(task));
   }
   std::vector<BoundTools> tools;

@@ -10,7 +10,6 @@
 
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_tree.hpp"
-#include "extent.hpp"
 
 namespace blum {
 namespace {
@@ -101,7 +100,7 @@ ReconstructionError reconstruction_error(const Solid& solid, const CellComplex& 
   if (balls.empty()) return error;
 
   BoundarySide side(balls);
-  side.run(solid, options.tolerance * extent_of(solid), options.most_pieces);
+  side.run(solid, options.tolerance * diameter(bounds_of(solid.point)), options.most_pieces);
   error.boundary_to_union_lo = frame.length_to_model(side.lo());
   error.boundary_to_union_hi = frame.length_to_model(side.hi());
 

@@ -185,6 +185,19 @@ class Robustness(ToolTest):
                 self.assertEqual(self.names(), ["box.off"])
         self.assertTrue(any(code > 0 for code in codes), codes)
 
+    def test_interrupts_when_the_files_stand(self):
+        for _ in range(10):
+            for path in self.folder.glob("x.*"):
+                path.unlink()
+            with subprocess.Popen([TOOL, *MEDIAL], cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE) as process:
+                while self.names() != ["box.off", *WRITTEN] and process.poll() is None:
+                    pass
+                process.send_signal(signal.SIGTERM)
+                _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 0, errors)
+            self.assertEqual(self.names(), ["box.off", *WRITTEN])
+
 
 if __name__ == "__main__":
     main()

@@ -74,17 +74,12 @@ void check_homology(const Solid& solid, const CellComplex& c) {
             betti[0] - betti[1] + betti[2]);
 }
 
-Point3 to_working(const Frame& f, const Point3& p) {
-  return {std::ldexp(p.x - f.origin.x, -f.exponent), std::ldexp(p.y - f.origin.y, -f.exponent),
-          std::ldexp(p.z - f.origin.z, -f.exponent)};
-}
-
 void check_places(Subdivided& run, const CellComplex& c) {
   for (const ComplexTriangle& t : c.triangle) {
     const Leaf& leaf = run.tree().leaf[c.cone[t.cone].leaf];
     for (const auto e : t.edge)
       for (const auto v : c.edge[e].vertex) {
-        const Point3 p = to_working(run.solid.frame, c.vertex[v].position);
+        const Point3 p = run.solid.frame.to_working(c.vertex[v].position);
         for (int k = 0; k < 3; ++k) {
           EXPECT_GE(p[k], leaf.box.lo[k] - 1e-14) << v;
           EXPECT_LE(p[k], leaf.box.hi[k] + 1e-14) << v;
@@ -98,7 +93,7 @@ void check_places(Subdivided& run, const CellComplex& c) {
     const ComplexVertex& v = c.vertex[i];
     // Apexes and clusters off the axis can lie outside the solid: see the disabled test below.
     if (v.on_axis ||
-        inside.locate(to_working(run.solid.frame, v.position)) == InsideOracle::Where::kInside)
+        inside.locate(run.solid.frame.to_working(v.position)) == InsideOracle::Where::kInside)
       EXPECT_NEAR(v.radius, test::boundary_distance(run.solid, points, v.position), tolerance)
           << "vertex " << i << " of kind " << static_cast<int>(v.kind);
     EXPECT_FALSE(v.governors.empty());
@@ -249,7 +244,7 @@ TEST(AssembledComplex, VerticesOffTheAxis_LieInTheSolidWithTheirRadius) {
       EXPECT_NEAR(v.radius, test::boundary_distance(run.solid, points, v.position),
                   1e-11 * test::extent(points));
       if (!v.on_axis)
-        EXPECT_EQ(run.engines.inside().locate(to_working(run.solid.frame, v.position)),
+        EXPECT_EQ(run.engines.inside().locate(run.solid.frame.to_working(v.position)),
                   InsideOracle::Where::kInside);
     }
   }

@@ -82,14 +82,12 @@ TEST(VoronoiSides, VerticesOfOneSide_LieOnIt) {
     std::size_t off = 0, on = 0;
     for (const ComplexVertex& v : r.complex.vertex) {
       if (!v.on_axis) continue;
+      EXPECT_FALSE(v.governors.empty());
       if (v.radius < 1e-9) {
         ++on;  // on an edge of the solid
         continue;
       }
-      Point3 x;
-      for (int k = 0; k < 3; ++k)
-        x[k] = std::ldexp(v.position[k] - solid.frame.origin[k], -solid.frame.exponent);
-      const auto where = inside.locate(x);
+      const auto where = inside.locate(solid.frame.to_working(v.position));
       EXPECT_EQ(where, side == VoronoiSide::kInside ? InsideOracle::Where::kInside
                                                     : InsideOracle::Where::kOutside);
       ++off;

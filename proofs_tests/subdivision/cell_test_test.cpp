@@ -22,12 +22,7 @@ struct Bench {
   }
   Bench(const Bench&) = delete;
 
-  [[nodiscard]] Point3 to_working(const Point3& p) const {
-    Point3 q;
-    for (int k = 0; k < 3; ++k)
-      q[k] = std::ldexp(p[k] - solid.frame.origin[k], -solid.frame.exponent);
-    return q;
-  }
+  [[nodiscard]] Point3 to_working(const Point3& p) const { return solid.frame.to_working(p); }
 
   Faces faces(const Box3& box, std::vector<SiteId>& candidates) {
     candidates = engines.production().prune(geometry.candidates(), box.lo, box.hi);

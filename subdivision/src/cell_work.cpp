@@ -23,6 +23,9 @@ constexpr std::size_t kIsolated = 16;
 /// one that cannot be told from it by sight.
 constexpr double kResolveFraction = 0x1p-20;
 
+static_assert(std::tuple_size_v<decltype(SubdivisionStats::rejected)> ==
+              static_cast<std::size_t>(CellVerdict::kCount));
+
 double jitter(std::uint64_t seed, double lo, double hi, int axis, int attempt) {
   std::uint64_t h = seed * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(axis);
   for (const std::uint64_t x : {std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi),
@@ -53,12 +56,7 @@ int longest_axis(const Box3& box) {
 Box3 root_box(const SiteGeometry& geometry, const SubdivisionOptions& options) {
   const Solid& solid = geometry.solid();
   const std::uint64_t seed = options.seed;
-  Box3 b{solid.point.front(), solid.point.front()};
-  for (const Point3& p : solid.point)
-    for (int k = 0; k < 3; ++k) {
-      b.lo[k] = std::min(b.lo[k], p[k]);
-      b.hi[k] = std::max(b.hi[k], p[k]);
-    }
+  Box3 b = bounds_of(solid.point);
   double size = 0;
   for (int k = 0; k < 3; ++k) size = std::max(size, b.hi[k] - b.lo[k]);
   const Box3 tight = b;
@@ -101,7 +99,6 @@ CellOutcome CellWorker::work(Cell& cell) {
       leaf.candidates = std::move(cell.candidates);
       leaf.triangles = std::move(cell.triangles);
       leaf.face = std::move(cell.face);
-      if (!leaf.cut.empty()) ++stats_.leaves_cut;
       return leaf;
     }
   }

@@ -173,7 +173,6 @@ void Subdivider::work(int thread) {
   sum.planes_moved += part.planes_moved;
   sum.planes_tried += part.planes_tried;
   sum.site_pairs += part.site_pairs;
-  sum.leaves_cut += part.leaves_cut;
   for (std::size_t k = 0; k < sum.rejected.size(); ++k) sum.rejected[k] += part.rejected[k];
 }
 
@@ -181,6 +180,7 @@ Subdivision Subdivider::numbered() {
   Subdivision r;
   r.side = work_.options.side;
   r.stats = result_.stats;
+  r.stats.leaves_cut = 0;
   r.node.reserve(result_.node.size());
   r.leaf.reserve(result_.leaf.size());
   r.node.push_back(result_.node[0]);
@@ -190,6 +190,7 @@ Subdivision Subdivider::numbered() {
     stack.pop_back();
     if (r.node[n].axis < 0) {
       r.leaf.push_back(std::move(result_.leaf[r.node[n].leaf]));
+      r.stats.leaves_cut += r.leaf.back().cut.empty() ? 0 : 1;
       r.node[n].leaf = static_cast<std::uint32_t>(r.leaf.size() - 1);
       continue;
     }
@@ -213,8 +214,12 @@ Result<Subdivision> Subdivider::run(const Subdivision& coarse,
   for (const auto l : leaves) again[l] = true;
   for (std::uint32_t n = 0; n < coarse.node.size(); ++n) {
     const CellNode& node = coarse.node[n];
-    if (node.axis >= 0 || !again[node.leaf]) continue;
+    if (node.axis >= 0) continue;
     const Leaf& leaf = coarse.leaf[node.leaf];
+    if (!again[node.leaf]) {
+      done_ += volume(leaf.box) / root_volume_;
+      continue;
+    }
     Cell cell;
     cell.node = n;
     cell.box = leaf.box;

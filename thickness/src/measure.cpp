@@ -6,20 +6,15 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/parallel.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/kernel/site_tree.hpp"
 #include "blum/thickness/thickness.hpp"
 #include "blum/thickness/touching_ball.hpp"
 #include "partners.hpp"
-#include "vectors.hpp"
 
 namespace blum {
 namespace {
-
-using detail::along;
-using detail::cross;
-using detail::length;
-using detail::minus;
 
 constexpr double kMostSamples = 1e7;
 /// Samples keep away from the borders of their parts by so much of their extent.
@@ -64,7 +59,7 @@ Point3 inside(const std::array<Point3, 3>& part, std::uint64_t seed, std::uint64
   }
   u = kMargin + (1 - 3 * kMargin) * u;
   v = kMargin + (1 - 3 * kMargin) * v;
-  return along(along(part[0], u, minus(part[1], part[0])), v, minus(part[2], part[0]));
+  return part[0] + u * (part[1] - part[0]) + v * (part[2] - part[0]);
 }
 
 class Measurement {
@@ -110,7 +105,7 @@ class Measurement {
   }
   [[nodiscard]] double area(std::uint32_t t) const {
     const auto c = corners(t);
-    return length(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2 * unit_ * unit_;
+    return length(cross(c[1] - c[0], c[2] - c[0])) / 2 * unit_ * unit_;
   }
   [[nodiscard]] double side_count(std::uint32_t t) const {
     return std::max(1.0, std::round(std::sqrt(area(t) * options_.density)));
@@ -188,6 +183,9 @@ Result<Thickness> measure_thickness(const Solid& solid, const MedialResult& axis
   if (!(options.density > 0)) {
     return Error{ErrorCode::kBadArgument, "the density is not positive", "", std::nullopt};
   }
+  if (!(options.theta_deg >= 0 && options.theta_deg <= 180)) {
+    return Error{ErrorCode::kBadArgument, "theta is not in [0, 180]", "", std::nullopt};
+  }
   return Measurement(solid, axis, options).run();
 }
 
@@ -201,6 +199,7 @@ std::optional<std::size_t> thinnest(const Thickness& thickness) {
 }
 
 ThicknessHistogram histogram(const Thickness& thickness, std::size_t bins) {
+  BLUM_REQUIRE(bins > 0);
   ThicknessHistogram result;
   result.area.assign(bins, 0);
   double most = 0;

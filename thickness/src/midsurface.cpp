@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/medial/subcomplex.hpp"
-#include "vectors.hpp"
 
 namespace blum {
 namespace {
@@ -60,9 +60,8 @@ Midsurface midsurface(const MedialResult& axis, const MidsurfaceOptions& options
     m.triangle.push_back(corner);
     m.sheet.push_back(static_cast<std::int32_t>(axis.parts.triangle_sheet[part.triangle[t]]));
     for (const std::uint32_t e : part.complex.triangle[t].edge) ++degree[e];
-    using detail::minus;
-    m.area += detail::length(detail::cross(minus(m.point[corner[1]], m.point[corner[0]]),
-                                           minus(m.point[corner[2]], m.point[corner[0]]))) /
+    m.area += length(cross(m.point[corner[1]] - m.point[corner[0]],
+                           m.point[corner[2]] - m.point[corner[0]])) /
               2;
   }
   for (std::size_t e = 0; e < degree.size(); ++e) {

@@ -30,7 +30,10 @@ Partners::Partners(const Solid& solid, const MedialResult& axis)
     const auto [a, b] = axis.complex.triangle[t].governors;
     add(a, b);
     add(b, a);
-    triangle_[std::minmax(key(a), key(b))].push_back(t);
+    Between& between = between_[std::minmax(key(a), key(b))];
+    between.triangle.push_back(t);
+    between.one_sheet &=
+        axis.parts.triangle_sheet[t] == axis.parts.triangle_sheet[between.triangle.front()];
   }
   for (const ComplexVertex& v : axis.complex.vertex) {
     for (const SiteId a : v.governors) {
@@ -53,18 +56,21 @@ Partners::Key Partners::key(SiteId site) const {
 }
 
 std::int32_t Partners::sheet(std::uint32_t face, SiteId site, const Point3& x) const {
-  const auto found = triangle_.find(std::minmax(key(sites_.face(face)), key(site)));
-  if (found == triangle_.end()) return -1;
+  const auto found = between_.find(std::minmax(key(sites_.face(face)), key(site)));
+  if (found == between_.end()) return -1;
+  const auto sheet_of = [this](std::uint32_t t) {
+    return static_cast<std::int32_t>(axis_.parts.triangle_sheet[t]);
+  };
+  const Between& between = found->second;
+  if (between.one_sheet) return sheet_of(between.triangle.front());
   double least = std::numeric_limits<double>::infinity();
   std::int32_t nearest = -1;
-  for (const std::uint32_t t : found->second) {
-    const auto sheet = static_cast<std::int32_t>(axis_.parts.triangle_sheet[t]);
-    if (sheet == nearest) continue;  // the usual case: one sheet for the two
+  for (const std::uint32_t t : between.triangle) {
     const CellComplex& k = axis_.complex;
     const double d = squared_distance_to_triangle(x, positions(k, k.triangle[t])).hi;
     if (d < least) {
       least = d;
-      nearest = sheet;
+      nearest = sheet_of(t);
     }
   }
   return nearest;

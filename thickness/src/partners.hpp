@@ -31,7 +31,12 @@ class Partners {
   const MedialResult& axis_;
   SiteIndex sites_;
   std::vector<std::vector<SiteId>> partner_;
-  std::map<std::pair<Key, Key>, std::vector<std::uint32_t>> triangle_;  ///< of the complex
+  /// Triangles of the complex between two facets or sites.
+  struct Between {
+    std::vector<std::uint32_t> triangle;
+    bool one_sheet = true;  ///< the usual case
+  };
+  std::map<std::pair<Key, Key>, Between> between_;
 };
 
 }  // namespace blum::detail

@@ -8,16 +8,10 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/closest_point.hpp"
-#include "vectors.hpp"
+#include "blum/kernel/point_algebra.hpp"
 
 namespace blum {
 namespace {
-
-using detail::along;
-using detail::cross;
-using detail::dot;
-using detail::length;
-using detail::minus;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The solid's coordinates are at most 1, so no ball inside is larger.
@@ -26,22 +20,22 @@ constexpr double kMostRadius = 2;
 constexpr double kSlack = 0x1p-30;
 
 Touch touch_point(const Point3& q, const Point3& p, const Point3& n) {
-  const Point3 d = minus(q, p);
-  const double height = dot(n, d);
-  return {height > 0 ? dot(d, d) / (2 * height) : kInfinity, q};
+  const Point3 d = q - p;
+  const double height = inner(n, d);
+  return {height > 0 ? inner(d, d) / (2 * height) : kInfinity, q};
 }
 
 /// The quotient's derivative vanishes where (alpha + beta t)^2 = alpha^2 - beta f; of the two roots
 /// the one with the height alpha + beta t > 0 counts, in the form that does not cancel.
 Touch touch_segment(const Point3& a, const Point3& b, const Point3& p, const Point3& n) {
-  const Point3 u = minus(b, a), w = minus(a, p);
-  const double uu = dot(u, u), wu = dot(w, u), ww = dot(w, w);
-  const double alpha = dot(n, w), beta = dot(n, u);
+  const Point3 u = b - a, w = a - p;
+  const double uu = inner(u, u), wu = inner(w, u), ww = inner(w, w);
+  const double alpha = inner(n, w), beta = inner(n, u);
   const double f = (2 * wu * alpha - ww * beta) / uu;
   const double height = std::sqrt(std::max(0.0, alpha * alpha - beta * f));
   double t = alpha >= 0 ? -f / (alpha + height) : (height - alpha) / beta;
   if (!std::isfinite(t)) t = 0;
-  Touch best = touch_point(along(a, std::clamp(t, 0.0, 1.0), u), p, n);
+  Touch best = touch_point(a + std::clamp(t, 0.0, 1.0) * u, p, n);
   for (const Point3& end : {a, b}) {
     const Touch other = touch_point(end, p, n);
     if (other.radius < best.radius) best = other;
@@ -57,21 +51,21 @@ struct TriangleTouch {
 
 TriangleTouch touch_triangle(const std::array<Point3, 3>& corner, const Point3& p,
                              const Point3& n) {
-  const Point3 normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
+  const Point3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double size = length(normal);
   if (size > 0) {
     // Of the two sides the one on which p is.
-    double height = dot(normal, minus(p, corner[0])) / size;
+    double height = inner(normal, p - corner[0]) / size;
     const double sign = height < 0 ? -1 : 1;
     height *= sign;
-    const double closing = 1 - sign * dot(normal, n) / size;
+    const double closing = 1 - sign * inner(normal, n) / size;
     if (closing > 0 && height > 0) {
       const double r = height / closing;
-      const Point3 q = along(along(p, r, n), -sign * r / size, normal);
+      const Point3 q = p + r * n + -sign * r / size * normal;
       bool is_inside = true;
       for (int k = 0; k < 3; ++k) {
-        const Point3 e = minus(corner[(k + 1) % 3], corner[k]);
-        is_inside &= dot(cross(e, minus(q, corner[k])), normal) >= 0;
+        const Point3 e = corner[(k + 1) % 3] - corner[k];
+        is_inside &= inner(cross(e, q - corner[k]), normal) >= 0;
       }
       if (is_inside && r < kMostRadius) return {{r, q}, -1, -1};
     }
@@ -104,11 +98,11 @@ BallVector about(const Point3& p, double error) {
 }
 
 /// Upper bound: the radius for a point of the solid within kOnSite of `foot`.
-double radius_bound(const Point3& foot, const Point3& p, const BallVector& inner) {
+double radius_bound(const Point3& foot, const Point3& p, const BallVector& inward) {
   const BallVector q = about(foot, kOnSite), s = about(p, kOnSite);
   BallVector d;
   for (int k = 0; k < 3; ++k) d[k] = q[k] - s[k];
-  const Ball height = dot(inner, d);
+  const Ball height = dot(inward, d);
   if (height.sign() != 1) return kInfinity;
   return divide(dot(d, d), Ball(2) * height).high();
 }
@@ -133,9 +127,9 @@ TouchingBall touching_ball(const SiteGeometry& geometry, const SiteTree& tree, s
                            const Point3& p, std::span<const SiteId> partners) {
   const Solid& solid = geometry.solid();
   const std::uint32_t facet = solid.triangle[face].facet;
-  BallVector inner = geometry.unit(geometry.index().face(face));
-  for (Ball& c : inner) c = -c;
-  const Point3 n = {inner[0].mid, inner[1].mid, inner[2].mid};
+  BallVector inward = geometry.unit(geometry.index().face(face));
+  for (Ball& c : inward) c = -c;
+  const Point3 n = {inward[0].mid, inward[1].mid, inward[2].mid};
 
   TouchingBall ball;
   double from_axis = kMostRadius;
@@ -149,7 +143,7 @@ TouchingBall touching_ball(const SiteGeometry& geometry, const SiteTree& tree, s
   for (double reach = from_axis; best == nullptr; reach = kMostRadius) {
     candidates.clear();
     const double most = reach * (1 + kSlack) + kSlack;
-    for (const std::uint32_t t : tree.within(along(p, reach, n), most * most)) {
+    for (const std::uint32_t t : tree.within(p + reach * n, most * most)) {
       if (solid.triangle[t].facet == facet) continue;
       candidates.push_back({t, touch_triangle(corners(solid, t), p, n)});
     }
@@ -166,14 +160,14 @@ TouchingBall touching_ball(const SiteGeometry& geometry, const SiteTree& tree, s
   ball.foot = best->found.touch.foot;
   ball.site =
       site_of(geometry.index(), solid.triangle[best->triangle], best->triangle, best->found);
-  ball.centre = along(p, r, n);
-  const double half_chord = std::min(1.0, length(minus(ball.foot, p)) / (2 * r));
+  ball.centre = p + r * n;
+  const double half_chord = std::min(1.0, distance_between(ball.foot, p) / (2 * r));
   ball.angle_deg = 2 * std::asin(half_chord) * 180 / M_PI;
-  ball.upper = std::max(r, radius_bound(ball.foot, p, inner));
+  ball.upper = std::max(r, radius_bound(ball.foot, p, inward));
 
   // Error of the computed centre: that of p, of n, and of three products and sums.
   const double wrong =
-      kOnSite + r * (inner[0].rad + inner[1].rad + inner[2].rad) + 8 * Ball::kUnit * (2 + r);
+      kOnSite + r * (inward[0].rad + inward[1].rad + inward[2].rad) + 8 * Ball::kUnit * (2 + r);
   ball.lower = r;
   for (const Candidate& c : candidates) {
     const auto triangle = corners(solid, c.triangle);

@@ -2,7 +2,9 @@
 /// unless its bound says how much.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "blum/kernel/point.hpp"
 
@@ -31,6 +33,16 @@ namespace blum {
   return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y, 0.5 * a.z + 0.5 * b.z};
 }
 [[nodiscard]] inline double diameter(const Box3& b) { return distance_between(b.lo, b.hi); }
+/// The smallest box that holds the points, of which there is one at least.
+[[nodiscard]] inline Box3 bounds_of(std::span<const Point3> points) {
+  Box3 b{points.front(), points.front()};
+  for (const Point3& p : points)
+    for (int k = 0; k < 3; ++k) {
+      b.lo[k] = std::min(b.lo[k], p[k]);
+      b.hi[k] = std::max(b.hi[k], p[k]);
+    }
+  return b;
+}
 /// Borders included.
 [[nodiscard]] inline bool contains(const Box3& b, const Point3& p) {
   for (int k = 0; k < 3; ++k)

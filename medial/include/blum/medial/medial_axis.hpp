@@ -28,7 +28,7 @@ struct UndecidedCell {
 };
 
 struct PhaseTimes {
-  double subdivide_s = 0, assemble_s = 0, review_s = 0, angles_s = 0;
+  double subdivide_s = 0, assemble_s = 0, angles_s = 0;
 };
 
 /// The check of a Voronoi diagram VD in its box B (docs/proofs.md, "Euler's formula in the box" and
@@ -64,8 +64,8 @@ struct VoronoiCheck {
 struct MedialResult {
   DiagramKind kind = DiagramKind::kMedial;
   bool certified = false;
-  bool smoothed = false;    ///< positions are for display: of the complex alone is it certified
-  CellComplex complex;  ///< without what lies in undecided cells; empty where all of it does
+  bool smoothed = false;  ///< positions are for display: of the complex alone is it certified
+  CellComplex complex;    ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
   std::optional<PartAngles> angles;  ///< if wanted; the filtration by them too
   std::optional<Filtration> filtration;
@@ -83,7 +83,7 @@ struct MedialResult {
   /// Two-sided Hausdorff distance between the complex and M, model units: largest leaf diameter,
   /// or what a review found.
   double hausdorff_bound = 0;  ///< infinite unless certified
-  StageCounts stages;  ///< depends on the number of threads, the complex does not
+  StageCounts stages;          ///< depends on the number of threads, the complex does not
   PhaseTimes time;
   std::uint64_t seed = 0;
   int threads = 1;  ///< used

@@ -21,7 +21,7 @@ struct AssembledAxis {
   EngineSet& engines;
   CellComplex& complex;
   const Parts& parts;
-  bool last = false;  ///< nothing will be divided any more: the budget is out
+  bool undecided = false;  ///< in some leaf: nothing will be divided, and there is no bound
 };
 
 struct ReviewVerdict {

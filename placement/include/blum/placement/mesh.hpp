@@ -46,8 +46,9 @@ struct MeshOptions {
                                const ConeSides& sides, const MeshOptions& options);
 
 /// `result` with the mesh for its complex: parts, angles and values are those of the cells that
-/// the mesh's cells lie in. Betti numbers are counted anew (BLUM_CHECK: the same). Collapses, which
-/// speak of the complex, are dropped. Requires a mesh of the result's complex.
+/// the mesh's cells lie in. Where the mesh is finer than the complex, Betti numbers are counted
+/// anew (BLUM_CHECK: the same), and collapses, which speak of the complex, are dropped. Requires a
+/// mesh of the result's complex.
 [[nodiscard]] MedialResult with_mesh(const MedialResult& result, const AxisMesh& mesh);
 
 }  // namespace blum

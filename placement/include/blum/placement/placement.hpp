@@ -8,8 +8,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
-#include <optional>
 
 #include "blum/kernel/solid.hpp"
 #include "blum/medial/medial_axis.hpp"
@@ -35,8 +35,9 @@ struct PlacementReport {
   std::size_t rounds = 0;       ///< of dividing leaves
   std::size_t leaves_by_diameter = 0;  ///< whose bound is their diameter
   std::size_t boxes = 0, points = 0;   ///< looked at to find the bound, in all rounds
-  double bound = 0;                    ///< two-sided, model units
-  bool reached = true;                 ///< it is at most epsilon, or none was asked for
+  /// Two-sided, model units; infinite where a cell is undecided.
+  double bound = std::numeric_limits<double>::infinity();
+  bool reached = false;  ///< it is at most epsilon, or none was asked for
   double place_s = 0, mesh_s = 0, bound_s = 0;
 };
 
