@@ -24,6 +24,11 @@ std::vector<SiteGroup> LeafSides::sides_of(std::span<const SiteId> governors) co
     }
     if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
   }
+  if (sides.size() == 1 && governors.size() > 1) {
+    // The axis has both its sides in one piece, which goes on around it.
+    sides.clear();
+    for (const SiteId g : governors) sides.push_back({g});
+  }
   return sides;
 }
 

@@ -22,7 +22,8 @@ class LeafSides {
   /// Superset of the governors in the leaf.
   [[nodiscard]] std::span<const SiteId> candidates() const { return candidates_; }
   /// The sides that hold the given governors, each once: the sites that govern in the same piece of
-  /// the leaf minus the axis alone; a governor that may be in several pieces is a side by itself.
+  /// the leaf minus the axis alone; a governor that may be in several pieces is a side by itself,
+  /// and so is each of several that are all in one piece.
   [[nodiscard]] std::vector<SiteGroup> sides_of(std::span<const SiteId> governors) const;
 
  private:
