@@ -8,6 +8,9 @@
 namespace blum::brute {
 namespace {
 
+/// Coordinates go down to 2^-1074, and abscissae are roots of products of several of their squares.
+constexpr slong kMostBits = 16384;
+
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 /// A short rational strictly between two disjoint enclosures, another one for each attempt.
@@ -16,9 +19,9 @@ Rational between(const Real& lo, const Real& hi, int attempt) {
   Rational weight(1 + (attempt * 23 + 31) % 63, 64);
   weight.canonicalize();
   Real width, wide;  // wide = (1 - weight) * lo + weight * hi, with many bits
-  arb_sub(width.get(), hi.get(), lo.get(), 2048);
-  arb_mul(wide.get(), width.get(), enclose(weight, 64).get(), 2048);
-  arb_add(wide.get(), wide.get(), lo.get(), 2048);
+  arb_sub(width.get(), hi.get(), lo.get(), kMostBits);
+  arb_mul(wide.get(), width.get(), enclose(weight, 64).get(), kMostBits);
+  arb_add(wide.get(), wide.get(), lo.get(), kMostBits);
   arb_mul_2exp_si(width.get(), width.get(), -8);
   fmpz_t mantissa, exponent;
   fmpz_init(mantissa);
@@ -26,10 +29,10 @@ Rational between(const Real& lo, const Real& hi, int attempt) {
   Rational out;
   bool found = false;
   for (slong bits = 8; !found; bits *= 2) {
-    if (bits >= 4096) {
+    if (bits > kMostBits) {
       fmpz_clear(mantissa);
       fmpz_clear(exponent);
-      throw PrecisionSpent("critical abscissae closer than 2^-2048");
+      throw PrecisionSpent("critical abscissae closer than 2^-16384");
     }
     Real x, error;
     arf_set_round(arb_midref(x.get()), arb_midref(wide.get()), bits, ARF_RND_NEAR);

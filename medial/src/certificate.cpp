@@ -184,15 +184,18 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
       case Kind::kStar:
       case Kind::kFeet: {
         Json directions = Json::array();
-        for (const auto& [s, w] : r.direction) directions.push_back(directed({site(s)}, w));
+        for (const auto& [s, w] : r.direction)
+          directions.push_back(directed(Json::array({site(s)}), w));
         j.push_back({r.kind == Kind::kFeet ? "feet" : "star", sites(r.sites), directions});
         break;
       }
       case Kind::kChords:
       case Kind::kFeetChords: {
         Json between = Json::array(), parted = Json::array();
-        for (const auto& [a, b, w] : r.between) between.push_back(directed({site(a), site(b)}, w));
-        for (const auto& [a, b, c] : r.parted) parted.push_back({site(a), site(b), site(c)});
+        for (const auto& [a, b, w] : r.between)
+          between.push_back(directed(Json::array({site(a), site(b)}), w));
+        for (const auto& [a, b, c] : r.parted)
+          parted.push_back(Json::array({site(a), site(b), site(c)}));
         j.push_back(
             {r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites), between, parted});
         break;

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMostCandidates = 16, kMostCurved = 6;  // for the oracle's patience
 constexpr double kLeastSide = 0x1p-6;                         // of the extent
 
+// Choices are made one a statement: the order of arguments is the compiler's.
+
 /// A height field over a square grid on a flat base, heights in quarters, and some of them beside.
 PolygonMesh terrain(Choices& choices) {
   const int n = choices.between(1, 3), m = choices.between(1, 3);
@@ -60,8 +62,10 @@ PolygonMesh shape(Choices& choices) {
       const double a = length(), b = length();
       return shapes::cuboid(a, b, length());
     }
-    case 1:
-      return shapes::lbracket(4, 3, choices.between(1, 11) / 4.0, length());
+    case 1: {
+      const double thickness = choices.between(1, 11) / 4.0;
+      return shapes::lbracket(4, 3, thickness, length());
+    }
     case 2: {
       const double w = length(), d = length();
       return shapes::lpocket(w, d, length());
@@ -71,8 +75,10 @@ PolygonMesh shape(Choices& choices) {
       const double height = length();
       return shapes::prism(n, 1, height, {choices.coin() ? 0x1p-20 : 0, choices.between(-2, 2)});
     }
-    case 4:
-      return shapes::plate(choices.between(0, 1), choices.between(3, 6), 2, length());
+    case 4: {
+      const int holes = choices.between(0, 1), sides = choices.between(3, 6);
+      return shapes::plate(holes, sides, 2, length());
+    }
     case 5:
       return shapes::nested_voids(1);
     case 6:
@@ -103,8 +109,10 @@ double special(Choices& choices, const test::Scene& scene, int axis) {
     case 2:
       x = lo + (hi - lo) * choices.between(-2, 18) / 16;
       break;
-    default:
-      x = lo + (hi - lo) * (choices.below(256) + choices.below(256) / 256.0) / 256;
+    default: {
+      const int coarse = choices.below(256);
+      x = lo + (hi - lo) * (coarse + choices.below(256) / 256.0) / 256;
+    }
   }
   for (int ulps = choices.between(-2, 2); ulps != 0; ulps += ulps < 0 ? 1 : -1)
     x = std::nextafter(x, ulps < 0 ? -10 : 10);
