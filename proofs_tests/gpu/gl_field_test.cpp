@@ -4,6 +4,7 @@
 
 #include <array>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 #include "blum/gpu/field.hpp"
@@ -282,6 +283,16 @@ TEST(FieldBackend, Names_AreKnownAndGlOptionsChecked) {
   o.culling = {};
   o.mesh_error = 0;
   EXPECT_EQ(compute_field(sites, grid, o).error().code, ErrorCode::kBadArgument);
+  for (const double bad : {-1.0, 1e-40, 1e-37, 0.999e-3, 1.001e3,
+                           std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    o.mesh_error = bad;
+    EXPECT_NE(options_problem(o), "") << bad;
+  }
+  for (const double good : {1e-3, 0.5, 1e3}) {
+    o.mesh_error = good;
+    EXPECT_EQ(options_problem(o), "") << good;
+  }
   EXPECT_FALSE(field_driver(FieldBackend::kCpu).ok());
   const BackendChoice choice = choose_backend();
   EXPECT_TRUE(choice.backend == FieldBackend::kCpu || choice.backend == FieldBackend::kEgl);

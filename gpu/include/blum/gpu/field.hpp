@@ -60,7 +60,9 @@ struct FieldOptions {
   int threads = 1;  ///< the field does not depend on it, bit by bit
   FieldCulling culling;
   FieldMethod method = FieldMethod::kFragments;  ///< of the OpenGL backends
-  double mesh_error = 0.5;  ///< of distance meshes, in units of the smallest spacing; > 0
+  /// Of distance meshes, in units of the smallest spacing; 1e-3 to 1e3. Meshes are no finer than
+  /// 2^-24 of the 1-norm diameter of samples and sites, below which floats round as much anyway.
+  double mesh_error = 0.5;
   /// Called from any thread with the part done, in [0, 1]; false stops the computation.
   std::function<bool(double)> on_progress;
 };
