@@ -87,6 +87,10 @@ class SiteSet {
            : s.value < points + edges ? s.value - points
                                       : s.value - points - edges;
   }
+  /// Is there such a site? Not with ids too great, nor points that nothing uses.
+  [[nodiscard]] bool is_site(SiteId s) const {
+    return s.value < size() && (kind(s) != SiteKind::kVertex || is_used(element(s)));
+  }
   /// Bounds of the squared distance from q to a closed site, and its foot. A polygon without area
   /// is infinitely far: its sides are sites. Requires |q| <= 2^200 on every axis.
   [[nodiscard]] SquaredDistanceBounds squared_distance(const Point3& q, SiteId s,
