@@ -89,8 +89,7 @@ void cpu(benchmark::State& state, double band_voxels) {
   report(state, scene);
   const auto voxels = static_cast<double>(scene.grid.voxels());
   state.counters["fragments_per_voxel"] = static_cast<double>(statistics.fragments) / voxels;
-  state.counters["culling"] =
-      static_cast<double>(statistics.owner_sites) / static_cast<double>(statistics.block_sites);
+  state.counters["culling"] = culling_efficiency(statistics);
 }
 
 /// Largest error against our field, in voxels.
