@@ -47,12 +47,12 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
               if (name == field_backend_name(b)) arguments.backend = b;
             }
           },
-          "auto: OpenGL where EGL has a driver for hardware, else the CPU;\n"
+          "auto: OpenGL where EGL has a driver for hardware, else the CPU, as for --signed;\n"
           "cpu; egl or osmesa: OpenGL; brute: slow and simple")
       ->check(CLI::IsMember({"auto", "cpu", "egl", "osmesa", "brute"}))
       ->default_str("auto");
   command
-      .add_option("--method", options.method,
+      .add_option("--method", arguments.method,
                   "Of OpenGL: fragments; gather (needs OpenGL 4.3); havoc: distance meshes;\n"
                   "difi: linear factorization of distance vectors")
       ->transform(
@@ -62,12 +62,13 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
                                                     {"difi", FieldMethod::kLinearFactorization}}))
       ->default_str("fragments");
   command
-      .add_option("--mesh-error", options.mesh_error,
-                  "Of havoc's meshes, in units of the smallest spacing")
-      ->capture_default_str();
+      .add_option("--mesh-error", arguments.mesh_error,
+                  "Of havoc's meshes, in units of the smallest spacing: 0.001 to 1000")
+      ->default_str("0.5");
   command
       .add_option("--cull", arguments.culling,
-                  "What to leave out early, with commas between; it changes no distance:\n"
+                  "What to leave out early, with commas between; it changes no distance by\n"
+                  "more than the bound:\n"
                   "blocks, domains; OpenGL instead of blocks: sweep, clamp (with sweep), ranges;\n"
                   "none (default: blocks,domains)")
       ->delimiter(',')
@@ -107,8 +108,10 @@ Examples:
   blum field part.stl --resolution 1024 --dry-run)");
 }
 
-std::string resolve_backend(FieldArguments& arguments) {
+Result<std::string> resolve_backend(FieldArguments& arguments) {
   FieldOptions& options = arguments.options;
+  options.method = arguments.method.value_or(options.method);
+  options.mesh_error = arguments.mesh_error.value_or(options.mesh_error);
   if (!arguments.culling.empty()) {
     const auto has = [&](const char* name) {
       return std::ranges::find(arguments.culling, name) != arguments.culling.end();
@@ -117,16 +120,31 @@ std::string resolve_backend(FieldArguments& arguments) {
   }
   if (arguments.backend) {
     options.backend = *arguments.backend;
-    if (!is_opengl(options.backend)) return "as asked";
+    if (!is_opengl(options.backend)) return std::string("as asked");
     const Result<FieldDriver> driver = field_driver(options.backend);
-    if (!driver) return driver.error().message;
+    if (!driver) return driver.error();
     return driver.value().renderer + ", OpenGL " + driver.value().version + ", " +
            field_method_name(options.method);
   }
-  if (arguments.order > 1) return "auto: several sites a sample are found by the CPU alone";
+  if (arguments.order > 1) {
+    return std::string("auto: several sites a sample are found by the CPU alone");
+  }
+  // Sides follow from distances to the nearest site, which an OpenGL driver can spoil.
+  if (arguments.is_signed) return std::string("auto: signs by the CPU rest on no driver");
   const BackendChoice choice = choose_backend();
   options.backend = choice.backend;
   return "auto: " + choice.reason;
+}
+
+std::string resolved_problem(const FieldArguments& a) {
+  if (!is_opengl(a.options.backend)) {
+    const std::string backend = field_backend_name(a.options.backend);
+    const char* wrong = a.method ? "--method" : a.mesh_error ? "--mesh-error" : nullptr;
+    if (wrong != nullptr) {
+      return std::string(wrong) + " is for --backend egl or osmesa; the backend is " + backend;
+    }
+  }
+  return options_problem(a.options);
 }
 
 std::string arguments_problem(const FieldArguments& a) {
@@ -136,6 +154,9 @@ std::string arguments_problem(const FieldArguments& a) {
   if (!(a.options.band >= 0)) return "--band: not a distance";
   if (a.order > 1 && is_opengl(a.backend.value_or(FieldBackend::kCpu))) {
     return "--order: the OpenGL backends find the nearest site alone";
+  }
+  if (a.culling.size() > 1 && std::ranges::find(a.culling, "none") != a.culling.end()) {
+    return "--cull: none excludes the others";
   }
   if (a.order > 1 && a.is_signed) return "--order and --signed exclude each other";
   if (a.output.empty() && a.slice.empty() && !a.is_dry_run) {

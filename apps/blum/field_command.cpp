@@ -158,10 +158,11 @@ int run_field(FieldArguments arguments) {
   if (const std::string problem = arguments_problem(arguments); !problem.empty()) {
     return report_usage(problem);
   }
-  const std::string reason = resolve_backend(arguments);
-  if (const std::string problem = options_problem(arguments.options); !problem.empty()) {
+  const Result<std::string> reason = resolve_backend(arguments);
+  if (const std::string problem = resolved_problem(arguments); !problem.empty()) {
     return report_usage(problem);
   }
+  if (!reason) return report(reason.error());
   const Result<PolygonMesh> mesh = read_mesh(arguments.model);
   if (!mesh) return report(mesh.error());
   const Result<SiteSet> sites = SiteSet::build(soup_of(mesh.value()));
@@ -178,7 +179,7 @@ int run_field(FieldArguments arguments) {
     solid.emplace(build_solid(mesh.value()));
     if (!*solid) return report_invalid(arguments.model, validate_mesh(mesh.value()));
   }
-  print_plan(sites.value(), grid.value(), arguments, reason);
+  print_plan(sites.value(), grid.value(), arguments, reason.value());
   if (const auto problem =
           memory_problem(needed_bytes(arguments, sites.value(), grid.value()), grid.value())) {
     report(*problem);
