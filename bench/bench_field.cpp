@@ -111,15 +111,18 @@ void peer(benchmark::State& state,
   state.counters["worst_error_voxels"] = worst_error(scene, distance);
 }
 
-void sizes(benchmark::internal::Benchmark* b) {
-  for (const int root : {32, 72, 286}) {
-    for (const int resolution : {64, 128, 256}) b->Args({root, resolution});
+/// About 1,000, 10,000 and 100,000 triangles.
+void sizes_to(benchmark::internal::Benchmark* b, int greatest) {
+  for (const int root : {32, 100, 316}) {
+    for (int resolution = 64; resolution <= greatest; resolution *= 2) b->Args({root, resolution});
   }
   b->Unit(benchmark::kMillisecond)->Iterations(1)->MeasureProcessCPUTime();
 }
+void sizes(benchmark::internal::Benchmark* b) { sizes_to(b, 256); }
+void more_sizes(benchmark::internal::Benchmark* b) { sizes_to(b, 512); }
 
-BENCHMARK_CAPTURE(cpu, full, 1e300)->Apply(sizes);
-BENCHMARK_CAPTURE(cpu, band3, 3)->Apply(sizes);
+BENCHMARK_CAPTURE(cpu, full, 1e300)->Apply(more_sizes);
+BENCHMARK_CAPTURE(cpu, band3, 3)->Apply(more_sizes);
 #ifdef BLUM_HAS_EMBREE
 BENCHMARK_CAPTURE(peer, embree, bench::embree_distances)->Apply(sizes);
 #endif

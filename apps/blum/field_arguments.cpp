@@ -9,20 +9,24 @@
 #include "choice.hpp"
 #include "commands.hpp"
 #include "field_vdb.hpp"
+#include "voxel_image.hpp"
 
 namespace blum::app {
 
 void add_field_options(CLI::App& command, FieldArguments& arguments) {
   FieldOptions& options = arguments.options;
-  command.add_option("MODEL", arguments.model, "OFF, OBJ, STL or PLY; any surface, open or not")
+  command
+      .add_option("MODEL", arguments.model,
+                  "OFF, OBJ, STL or PLY: any surface, open or not;\n"
+                  "or a voxel image: NRRD (.nrrd, .nhdr)")
       ->required();
   command
       .add_option("--resolution", arguments.resolution,
-                  "N voxels along the longest side (cubes), or NX,NY,NZ")
+                  "N voxels along the longest side (cubes), or NX,NY,NZ;\n"
+                  "needed for a surface; a voxel image has its own grid")
       ->delimiter(',')
       ->expected(1, 3)
-      ->check(kDigits)
-      ->required();
+      ->check(kDigits);
   command
       .add_option("--box", arguments.box,
                   "X0,Y0,Z0,X1,Y1,Z1 (default: the model's box and a tenth more on every side)")
@@ -37,6 +41,9 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--signed", arguments.is_signed,
                    "Negative inside, exactly; the mesh must bound a solid");
+  command.add_option("--threshold", arguments.threshold,
+                     "Of a voxel image: distances to the voxels of at least this value\n"
+                     "(default: to those that are not 0)");
   command
       .add_option_function<std::string>(
           "--backend",
@@ -96,6 +103,8 @@ site of a sample: its distance is computed in double, and it is at most the prin
 than the nearest one.
 .vti files hold distances, site ids and sides; .nrrd and .npy distances alone (FILE.npy.json says
 where the samples are). Ids: vertices as in the file, then edges, then faces.
+Of a voxel image: the nearest feature voxel of every voxel, exactly, and the distance between their
+centres; ids are numbers of voxels, x fastest.
 
 Examples:
   blum field part.stl --resolution 128 -o part.vti
@@ -105,7 +114,8 @@ Examples:
   blum field part.stl --resolution 256 --signed --slice part.png --slice-axis x
   blum field part.stl --resolution 128 --backend egl --method difi --cull domains,sweep,clamp \
       -o part.vti
-  blum field part.stl --resolution 1024 --dry-run)");
+  blum field part.stl --resolution 1024 --dry-run
+  blum field labels.nrrd -o distance.vti)");
 }
 
 Result<std::string> resolve_backend(FieldArguments& arguments) {
@@ -147,8 +157,34 @@ std::string resolved_problem(const FieldArguments& a) {
   return options_problem(a.options);
 }
 
+namespace {
+
+/// Of options that are for surfaces alone, or for voxel images.
+std::string model_problem(const FieldArguments& a) {
+  if (!is_voxel_image(a.model)) {
+    if (a.threshold) return "--threshold is for voxel images (.nrrd, .nhdr)";
+    return a.resolution.empty() ? "--resolution is required" : "";
+  }
+  if (!has_voxel_images()) return "this program was built without Teem: " + a.model;
+  const char* wrong = !a.resolution.empty() ? "--resolution"
+                      : !a.box.empty()      ? "--box"
+                      : a.order > 1         ? "--order"
+                      : a.is_signed         ? "--signed"
+                      : a.backend           ? "--backend"
+                      : a.method            ? "--method"
+                      : a.mesh_error        ? "--mesh-error"
+                      : !a.culling.empty()  ? "--cull"
+                                            : nullptr;
+  if (wrong != nullptr) return std::string(wrong) + " is for surfaces, not for voxel images";
+  if (a.threshold && std::isnan(*a.threshold)) return "--threshold: not a number";
+  return {};
+}
+
+}  // namespace
+
 std::string arguments_problem(const FieldArguments& a) {
   namespace fs = std::filesystem;
+  if (std::string problem = model_problem(a); !problem.empty()) return problem;
   if (a.resolution.size() == 2) return "--resolution: one number or three";
   if (std::ranges::find(a.resolution, 0u) != a.resolution.end()) return "--resolution: 0";
   if (!(a.options.band >= 0)) return "--band: not a distance";

@@ -24,7 +24,8 @@ struct FieldArguments {
   std::vector<std::string> culling;     // names; empty: the default
   std::optional<FieldMethod> method;    // of OpenGL, as are the meshes' errors
   std::optional<double> mesh_error;
-  FieldOptions options;  // backend, method, mesh_error and culling by resolve_backend
+  std::optional<double> threshold;  // of voxel images
+  FieldOptions options;             // backend, method, mesh_error and culling by resolve_backend
 };
 
 void add_field_options(CLI::App& command, FieldArguments& arguments);
