@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <thread>
@@ -30,6 +31,10 @@ class GlField : public testing::TestWithParam<FieldBackend> {
     const auto driver = field_driver(GetParam());
     if (!driver) GTEST_SKIP() << driver.error().message;
     const FieldDriver& d = driver.value();
+    const char* asked = std::getenv("GALLIUM_DRIVER");
+    if (asked != nullptr && d.renderer.find(asked) == std::string::npos) {
+      GTEST_SKIP() << "asked for " << asked << ", there is " << d.renderer;
+    }
     gathers_ = d.major > 4 || (d.major == 4 && d.minor >= 3);
     if (!gathers_) {
       std::cout << "no gather: it needs OpenGL 4.3, and " << d.renderer << " has " << d.version
