@@ -17,7 +17,7 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
   FieldOptions& options = arguments.options;
   command
       .add_option("MODEL", arguments.model,
-                  "OFF, OBJ, STL or PLY: any surface, open or not;\n"
+                  "OFF, OBJ, STL or PLY: any surface, open or not, or points alone;\n"
                   "or a voxel image: NRRD (.nrrd, .nhdr)")
       ->required();
   command

@@ -15,7 +15,7 @@
 #include "blum/gpu/field_io.hpp"
 #include "blum/gpu/nearest_sites.hpp"
 #include "blum/gpu/sides.hpp"
-#include "blum/kernel/mesh.hpp"
+#include "blum/kernel/mesh_or_points.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/kernel/validate.hpp"
 #include "commands.hpp"
@@ -118,7 +118,7 @@ int run_mesh_field(FieldArguments arguments) {
     return report_usage(problem);
   }
   if (!reason) return report(reason.error());
-  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  const Result<PolygonMesh> mesh = read_mesh_or_points(arguments.model);
   if (!mesh) return report(mesh.error());
   const Result<SiteSet> sites = SiteSet::build(soup_of(mesh.value()));
   if (!sites) {

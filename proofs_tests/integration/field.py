@@ -260,6 +260,27 @@ class Field(ToolTest):
         self.assertIn("boundary_edge", result.stderr)
         self.assertEqual(self.names(), ["box.off", "open.off", "x.npy", "x.npy.json"])
 
+    def test_points_alone_have_a_field(self):
+        points = [(0, 0, 0), (1, 2, 3), (0.5, 0.25, 2), (1, 0, 1)]
+        lines = ["%r %r %r" % p for p in points]
+        self.file("p.off", "OFF\n4 0 0\n" + "\n".join(lines) + "\n")
+        self.file("p.obj", "".join(f"v {line}\n" for line in lines))
+        self.file("p.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+                           "property double y\nproperty double z\nend_header\n" +
+                           "\n".join(lines) + "\n")
+        expected = [min(math.dist(p, [o + n * s for o, n, s in zip(self.ORIGIN, at, self.SPACING)])
+                        for p in points)
+                    for at in [(i, j, k) for k in range(3) for j in range(4) for i in range(5)]]
+        for kind in ["off", "obj", "ply"]:
+            with self.subTest(kind):
+                self.expect(self.blum("field", f"p.{kind}", *self.GRID, "--backend", "cpu",
+                                      "-o", f"{kind}.npy"), 0)
+                raw = (self.folder / f"{kind}.npy").read_bytes()[-8 * 60:]
+                self.expect_close(list(struct.unpack("<60d", raw)), expected)
+        self.expect(self.blum("field", "p.ply", *self.GRID, "--signed", "-o", "x.npy"), 2)
+        self.file("l.obj", "v 0 0 0\nv 1 1 1\nl 1 2\n")
+        self.expect(self.blum("field", "l.obj", *self.GRID, "-o", "x.npy"), 2)
+
     def test_wrong_command_lines_exit_with_1(self):
         for arguments in [["box.off"], ["box.off", "--resolution", "8"],
                           ["box.off", "--resolution", "0", "-o", "x.vti"],

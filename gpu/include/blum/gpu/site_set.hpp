@@ -22,7 +22,7 @@ struct Soup {
   std::vector<std::vector<std::uint32_t>> polygons;    ///< >= 3 corners each
 };
 
-/// All faces of the mesh as polygons.
+/// All faces of the mesh as polygons; where there are none, all points.
 [[nodiscard]] Soup soup_of(PolygonMesh mesh);
 
 inline constexpr SiteId kNoSite{0xffffffffu};
