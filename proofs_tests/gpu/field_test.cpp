@@ -207,6 +207,7 @@ TEST(DistanceField, ABand_KeepsWhatIsWithin) {
   }
   EXPECT_GT(kept, 1000u);
   EXPECT_LT(band.statistics.fragments, full.statistics.fragments);
+  EXPECT_EQ(band.statistics.blocks, full.statistics.blocks) << "blocks without sites count, too";
 }
 
 TEST(DistanceField, BadOptions_AreRefused) {
