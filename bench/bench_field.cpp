@@ -89,8 +89,7 @@ void cpu(benchmark::State& state, double band_voxels) {
   report(state, scene);
   const auto voxels = static_cast<double>(scene.grid.voxels());
   state.counters["fragments_per_voxel"] = static_cast<double>(statistics.fragments) / voxels;
-  state.counters["culling"] =
-      static_cast<double>(statistics.owner_sites) / static_cast<double>(statistics.block_sites);
+  state.counters["culling"] = culling_efficiency(statistics);
 }
 
 /// Largest error against our field, in voxels.
@@ -112,15 +111,18 @@ void peer(benchmark::State& state,
   state.counters["worst_error_voxels"] = worst_error(scene, distance);
 }
 
-void sizes(benchmark::internal::Benchmark* b) {
-  for (const int root : {32, 72, 286}) {
-    for (const int resolution : {64, 128, 256}) b->Args({root, resolution});
+/// About 1,000, 10,000 and 100,000 triangles.
+void sizes_to(benchmark::internal::Benchmark* b, int greatest) {
+  for (const int root : {32, 100, 316}) {
+    for (int resolution = 64; resolution <= greatest; resolution *= 2) b->Args({root, resolution});
   }
   b->Unit(benchmark::kMillisecond)->Iterations(1)->MeasureProcessCPUTime();
 }
+void sizes(benchmark::internal::Benchmark* b) { sizes_to(b, 256); }
+void more_sizes(benchmark::internal::Benchmark* b) { sizes_to(b, 512); }
 
-BENCHMARK_CAPTURE(cpu, full, 1e300)->Apply(sizes);
-BENCHMARK_CAPTURE(cpu, band3, 3)->Apply(sizes);
+BENCHMARK_CAPTURE(cpu, full, 1e300)->Apply(more_sizes);
+BENCHMARK_CAPTURE(cpu, band3, 3)->Apply(more_sizes);
 #ifdef BLUM_HAS_EMBREE
 BENCHMARK_CAPTURE(peer, embree, bench::embree_distances)->Apply(sizes);
 #endif

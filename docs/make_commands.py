@@ -40,6 +40,10 @@ PAGES = {
     ]),
     "field": ("Distances on a grid, with certified error bounds; see [fields.md](../fields.md).", [
         ("", "blum field plate.off --resolution 64 --signed -o plate.vti --slice slice.png", 0),
+        ("A voxel image, here a field's own: the distance of every voxel to the nearest one of at "
+         "least 0.25:",
+         "blum field plate.off --resolution 40,30,20 --backend cpu -o grey.nrrd", 0),
+        ("", "blum field grey.nrrd --threshold 0.25 -o distance.vti", 0),
     ]),
     "thickness": ("How thick the walls are: the largest ball inside that touches at each sample of a "
                   "face; see [thickness.md](../thickness.md).", [

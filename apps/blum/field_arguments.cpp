@@ -9,20 +9,24 @@
 #include "choice.hpp"
 #include "commands.hpp"
 #include "field_vdb.hpp"
+#include "voxel_image.hpp"
 
 namespace blum::app {
 
 void add_field_options(CLI::App& command, FieldArguments& arguments) {
   FieldOptions& options = arguments.options;
-  command.add_option("MODEL", arguments.model, "OFF, OBJ, STL or PLY; any surface, open or not")
+  command
+      .add_option("MODEL", arguments.model,
+                  "OFF, OBJ, STL or PLY: any surface, open or not, or points alone;\n"
+                  "or a voxel image: NRRD (.nrrd, .nhdr)")
       ->required();
   command
       .add_option("--resolution", arguments.resolution,
-                  "N voxels along the longest side (cubes), or NX,NY,NZ")
+                  "N voxels along the longest side (cubes), or NX,NY,NZ;\n"
+                  "needed for a surface; a voxel image has its own grid")
       ->delimiter(',')
       ->expected(1, 3)
-      ->check(kDigits)
-      ->required();
+      ->check(kDigits);
   command
       .add_option("--box", arguments.box,
                   "X0,Y0,Z0,X1,Y1,Z1 (default: the model's box and a tenth more on every side)")
@@ -37,6 +41,9 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--signed", arguments.is_signed,
                    "Negative inside, exactly; the mesh must bound a solid");
+  command.add_option("--threshold", arguments.threshold,
+                     "Of a voxel image: distances to the voxels of at least this value\n"
+                     "(default: to those that are not 0)");
   command
       .add_option_function<std::string>(
           "--backend",
@@ -47,12 +54,12 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
               if (name == field_backend_name(b)) arguments.backend = b;
             }
           },
-          "auto: OpenGL where EGL has a driver for hardware, else the CPU;\n"
+          "auto: OpenGL where EGL has a driver for hardware, else the CPU, as for --signed;\n"
           "cpu; egl or osmesa: OpenGL; brute: slow and simple")
       ->check(CLI::IsMember({"auto", "cpu", "egl", "osmesa", "brute"}))
       ->default_str("auto");
   command
-      .add_option("--method", options.method,
+      .add_option("--method", arguments.method,
                   "Of OpenGL: fragments; gather (needs OpenGL 4.3); havoc: distance meshes;\n"
                   "difi: linear factorization of distance vectors")
       ->transform(
@@ -62,12 +69,13 @@ void add_field_options(CLI::App& command, FieldArguments& arguments) {
                                                     {"difi", FieldMethod::kLinearFactorization}}))
       ->default_str("fragments");
   command
-      .add_option("--mesh-error", options.mesh_error,
-                  "Of havoc's meshes, in units of the smallest spacing")
-      ->capture_default_str();
+      .add_option("--mesh-error", arguments.mesh_error,
+                  "Of havoc's meshes, in units of the smallest spacing: 0.001 to 1000")
+      ->default_str("0.5");
   command
       .add_option("--cull", arguments.culling,
-                  "What to leave out early, with commas between; it changes no distance:\n"
+                  "What to leave out early, with commas between; it changes no distance by\n"
+                  "more than the bound:\n"
                   "blocks, domains; OpenGL instead of blocks: sweep, clamp (with sweep), ranges;\n"
                   "none (default: blocks,domains)")
       ->delimiter(',')
@@ -95,6 +103,8 @@ site of a sample: its distance is computed in double, and it is at most the prin
 than the nearest one.
 .vti files hold distances, site ids and sides; .nrrd and .npy distances alone (FILE.npy.json says
 where the samples are). Ids: vertices as in the file, then edges, then faces.
+Of a voxel image: the nearest feature voxel of every voxel, exactly, and the distance between their
+centres; ids are numbers of voxels, x fastest.
 
 Examples:
   blum field part.stl --resolution 128 -o part.vti
@@ -104,11 +114,14 @@ Examples:
   blum field part.stl --resolution 256 --signed --slice part.png --slice-axis x
   blum field part.stl --resolution 128 --backend egl --method difi --cull domains,sweep,clamp \
       -o part.vti
-  blum field part.stl --resolution 1024 --dry-run)");
+  blum field part.stl --resolution 1024 --dry-run
+  blum field labels.nrrd -o distance.vti)");
 }
 
-std::string resolve_backend(FieldArguments& arguments) {
+Result<std::string> resolve_backend(FieldArguments& arguments) {
   FieldOptions& options = arguments.options;
+  options.method = arguments.method.value_or(options.method);
+  options.mesh_error = arguments.mesh_error.value_or(options.mesh_error);
   if (!arguments.culling.empty()) {
     const auto has = [&](const char* name) {
       return std::ranges::find(arguments.culling, name) != arguments.culling.end();
@@ -117,25 +130,69 @@ std::string resolve_backend(FieldArguments& arguments) {
   }
   if (arguments.backend) {
     options.backend = *arguments.backend;
-    if (!is_opengl(options.backend)) return "as asked";
+    if (!is_opengl(options.backend)) return std::string("as asked");
     const Result<FieldDriver> driver = field_driver(options.backend);
-    if (!driver) return driver.error().message;
+    if (!driver) return driver.error();
     return driver.value().renderer + ", OpenGL " + driver.value().version + ", " +
            field_method_name(options.method);
   }
-  if (arguments.order > 1) return "auto: several sites a sample are found by the CPU alone";
+  if (arguments.order > 1) {
+    return std::string("auto: several sites a sample are found by the CPU alone");
+  }
+  // Sides follow from distances to the nearest site, which an OpenGL driver can spoil.
+  if (arguments.is_signed) return std::string("auto: signs by the CPU rest on no driver");
   const BackendChoice choice = choose_backend();
   options.backend = choice.backend;
   return "auto: " + choice.reason;
 }
 
+std::string resolved_problem(const FieldArguments& a) {
+  if (!is_opengl(a.options.backend)) {
+    const std::string backend = field_backend_name(a.options.backend);
+    const char* wrong = a.method ? "--method" : a.mesh_error ? "--mesh-error" : nullptr;
+    if (wrong != nullptr) {
+      return std::string(wrong) + " is for --backend egl or osmesa; the backend is " + backend;
+    }
+  }
+  return options_problem(a.options);
+}
+
+namespace {
+
+/// Of options that are for surfaces alone, or for voxel images.
+std::string model_problem(const FieldArguments& a) {
+  if (!is_voxel_image(a.model)) {
+    if (a.threshold) return "--threshold is for voxel images (.nrrd, .nhdr)";
+    return a.resolution.empty() ? "--resolution is required" : "";
+  }
+  if (!has_voxel_images()) return "this program was built without Teem: " + a.model;
+  const char* wrong = !a.resolution.empty() ? "--resolution"
+                      : !a.box.empty()      ? "--box"
+                      : a.order > 1         ? "--order"
+                      : a.is_signed         ? "--signed"
+                      : a.backend           ? "--backend"
+                      : a.method            ? "--method"
+                      : a.mesh_error        ? "--mesh-error"
+                      : !a.culling.empty()  ? "--cull"
+                                            : nullptr;
+  if (wrong != nullptr) return std::string(wrong) + " is for surfaces, not for voxel images";
+  if (a.threshold && std::isnan(*a.threshold)) return "--threshold: not a number";
+  return {};
+}
+
+}  // namespace
+
 std::string arguments_problem(const FieldArguments& a) {
   namespace fs = std::filesystem;
+  if (std::string problem = model_problem(a); !problem.empty()) return problem;
   if (a.resolution.size() == 2) return "--resolution: one number or three";
   if (std::ranges::find(a.resolution, 0u) != a.resolution.end()) return "--resolution: 0";
   if (!(a.options.band >= 0)) return "--band: not a distance";
   if (a.order > 1 && is_opengl(a.backend.value_or(FieldBackend::kCpu))) {
     return "--order: the OpenGL backends find the nearest site alone";
+  }
+  if (a.culling.size() > 1 && std::ranges::find(a.culling, "none") != a.culling.end()) {
+    return "--cull: none excludes the others";
   }
   if (a.order > 1 && a.is_signed) return "--order and --signed exclude each other";
   if (a.output.empty() && a.slice.empty() && !a.is_dry_run) {

@@ -15,21 +15,20 @@
 #include "blum/gpu/field_io.hpp"
 #include "blum/gpu/nearest_sites.hpp"
 #include "blum/gpu/sides.hpp"
-#include "blum/kernel/mesh.hpp"
+#include "blum/kernel/mesh_or_points.hpp"
 #include "blum/kernel/solid.hpp"
 #include "blum/kernel/validate.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "field_arguments.hpp"
-#include "field_vdb.hpp"
+#include "field_output.hpp"
+#include "image_field.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
-#include "slice_picture.hpp"
+#include "voxel_image.hpp"
 
 namespace blum::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Everything a run has computed.
 struct FieldOutcome {
@@ -39,13 +38,6 @@ struct FieldOutcome {
   std::vector<double> signed_distance;
 };
 
-std::string mib(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
-
-std::uint64_t available_bytes() {
-  return static_cast<std::uint64_t>(sysconf(_SC_AVPHYS_PAGES)) *
-         static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-}
-
 std::uint64_t needed_bytes(const FieldArguments& arguments, const SiteSet& sites,
                            const VoxelGrid& grid) {
   if (arguments.order > 1) return (12 * arguments.order) * grid.voxels() + 400 * sites.size();
@@ -53,48 +45,14 @@ std::uint64_t needed_bytes(const FieldArguments& arguments, const SiteSet& sites
          (arguments.is_signed ? 9 * grid.voxels() : 0);
 }
 
-/// Says what fits if this does not.
-std::optional<Error> memory_problem(std::uint64_t needed, const VoxelGrid& grid) {
-  const std::uint64_t available = available_bytes();
-  if (needed <= available) return std::nullopt;
-  const double part = std::cbrt(0.9 * static_cast<double>(available) / static_cast<double>(needed));
-  std::string fits;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto n = static_cast<std::uint32_t>(part * grid.size[axis]);
-    fits += (axis > 0 ? "," : "") + std::to_string(std::max(1u, n));
-  }
-  return Error{ErrorCode::kBadArgument,
-               "the grid needs about " + mib(needed) + ", " + mib(available) +
-                   " are free; --resolution " + fits + " would fit",
-               {},
-               {}};
-}
-
-class FieldProgress {
- public:
-  bool show(double part) {
-    if (is_on_) {
-      const int percent = static_cast<int>(100 * part);
-      std::string text = "\r" + std::to_string(percent) + " %\033[K";
-      if (percent == 100) text = "\r\033[K";
-      (void)!write(STDERR_FILENO, text.data(), text.size());
-    }
-    return interrupted_by() == 0;
-  }
-
- private:
-  bool is_on_ = isatty(STDERR_FILENO) == 1;
-};
-
 void print_plan(const SiteSet& sites, const VoxelGrid& grid, const FieldArguments& arguments,
                 const std::string& reason) {
   std::size_t used = 0;
   for (std::uint32_t v = 0; v < sites.points().size(); ++v) used += sites.is_used(v);
   std::cout << "sites:    " << used << " vertices, " << sites.edges().size() << " edges, "
-            << sites.polygons() << " faces\n"
-            << "grid:     " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
-            << ", first sample " << text(grid.origin) << ", spacing " << text(grid.spacing) << '\n'
-            << "backend:  " << field_backend_name(arguments.options.backend) << " (" << reason
+            << sites.polygons() << " faces\n";
+  print_grid(grid);
+  std::cout << "backend:  " << field_backend_name(arguments.options.backend) << " (" << reason
             << "), " << arguments.options.threads << " threads\n"
             << "memory:   about " << mib(needed_bytes(arguments, sites, grid)) << '\n';
 }
@@ -154,15 +112,13 @@ void print_result(const FieldOutcome& o, std::uint32_t order, double seconds) {
   std::cout << "time:     " << number(std::round(1000 * seconds) / 1000) << " s\n";
 }
 
-int run_field(FieldArguments arguments) {
-  if (const std::string problem = arguments_problem(arguments); !problem.empty()) {
+int run_mesh_field(FieldArguments arguments) {
+  const Result<std::string> reason = resolve_backend(arguments);
+  if (const std::string problem = resolved_problem(arguments); !problem.empty()) {
     return report_usage(problem);
   }
-  const std::string reason = resolve_backend(arguments);
-  if (const std::string problem = options_problem(arguments.options); !problem.empty()) {
-    return report_usage(problem);
-  }
-  const Result<PolygonMesh> mesh = read_mesh(arguments.model);
+  if (!reason) return report(reason.error());
+  const Result<PolygonMesh> mesh = read_mesh_or_points(arguments.model);
   if (!mesh) return report(mesh.error());
   const Result<SiteSet> sites = SiteSet::build(soup_of(mesh.value()));
   if (!sites) {
@@ -178,11 +134,11 @@ int run_field(FieldArguments arguments) {
     solid.emplace(build_solid(mesh.value()));
     if (!*solid) return report_invalid(arguments.model, validate_mesh(mesh.value()));
   }
-  print_plan(sites.value(), grid.value(), arguments, reason);
-  if (const auto problem =
-          memory_problem(needed_bytes(arguments, sites.value(), grid.value()), grid.value())) {
-    report(*problem);
-    return kInput;
+  print_plan(sites.value(), grid.value(), arguments, reason.value());
+  const std::uint64_t needed = needed_bytes(arguments, sites.value(), grid.value());
+  if (const auto shortage = memory_shortage(needed)) {
+    return report_too_large(*shortage + "; --resolution " + size_that_fits(needed, grid.value()) +
+                            " would fit");
   }
   if (arguments.is_dry_run) return kSuccess;
 
@@ -200,22 +156,14 @@ int run_field(FieldArguments arguments) {
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   print_result(outcome.value(), arguments.order, time.count());
 
-  const FieldImage image = image_of(outcome.value(), grid.value(), arguments.order);
-  if (!arguments.output.empty()) {
-    if (const auto error = write_field_file(image, arguments.output)) return report(*error);
-    for (const fs::path& file : output_files(arguments.output)) {
-      std::cout << "wrote " << file.string() << '\n';
-    }
+  return write_outputs(image_of(outcome.value(), grid.value(), arguments.order), arguments);
+}
+
+int run_field(FieldArguments arguments) {
+  if (const std::string problem = arguments_problem(arguments); !problem.empty()) {
+    return report_usage(problem);
   }
-  if (!arguments.slice.empty()) {
-    const std::uint32_t middle = grid.value().size[arguments.slice_axis] / 2;
-    const std::uint32_t index = arguments.slice_index.value_or(middle);
-    if (const auto error = write_slice(image, arguments.slice_axis, index, arguments.slice)) {
-      return report(*error);
-    }
-    std::cout << "wrote " << arguments.slice << '\n';
-  }
-  return kSuccess;
+  return is_voxel_image(arguments.model) ? run_image_field(arguments) : run_mesh_field(arguments);
 }
 
 }  // namespace

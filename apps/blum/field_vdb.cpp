@@ -40,10 +40,14 @@ std::optional<Error> write_vdb(const FieldImage& image, const std::filesystem::p
   auto to_distance = distance->getAccessor();
   auto to_site = site->getAccessor();
   for (std::size_t v = 0; v < image.grid.voxels(); ++v) {
-    if (!std::isfinite(image.distance[v])) continue;
+    if (!(image.distance[v] < std::numeric_limits<double>::infinity())) continue;
     const auto at = image.grid.position(v);
     const openvdb::Coord place(static_cast<int>(at[0]), static_cast<int>(at[1]),
                                static_cast<int>(at[2]));
+    if (!std::isfinite(image.distance[v])) {
+      to_distance.setValueOff(place, image.distance[v]);  // inside, beyond the band
+      continue;
+    }
     to_distance.setValue(place, image.distance[v]);
     to_site.setValue(place, static_cast<std::int32_t>(image.site[v]));
   }

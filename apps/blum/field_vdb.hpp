@@ -15,7 +15,8 @@ namespace blum::app {
 [[nodiscard]] std::vector<std::filesystem::path> output_files(const std::filesystem::path& file);
 
 /// As write_field, and .vdb: a DoubleGrid `distance` and an Int32Grid `site` (order 1 alone),
-/// active where there is a site; world coordinates are the model's, samples are voxel centres.
+/// active where there is a site, else infinity, -infinity inside; world coordinates are the
+/// model's, samples are voxel centres.
 [[nodiscard]] std::optional<Error> write_field_file(const FieldImage& image,
                                                     const std::filesystem::path& file);
 

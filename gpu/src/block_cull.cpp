@@ -103,6 +103,14 @@ bool BlockCull::is_block(const CullNode& node) {
   return true;
 }
 
+std::uint64_t BlockCull::blocks_in(const CullNode& node) {
+  std::uint64_t blocks = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    blocks *= (node.end[axis] - node.begin[axis] + kBlock - 1) / kBlock;
+  }
+  return blocks;
+}
+
 void BlockCull::split(const CullNode& node, std::vector<CullNode>& parts) {
   std::array<std::uint32_t, 3> cut{};
   for (int axis = 0; axis < 3; ++axis) {

@@ -35,6 +35,8 @@ class BlockCull {
   /// The halves, quarters or eighths of a node, cut at multiples of kBlock from the grid's start.
   static void split(const CullNode& node, std::vector<CullNode>& parts);
   [[nodiscard]] static bool is_block(const CullNode& node);
+  /// How many blocks splitting ends with.
+  [[nodiscard]] static std::uint64_t blocks_in(const CullNode& node);
 
  private:
   const ScanSites& sites_;

@@ -22,7 +22,7 @@ bool brute_field(const SiteSet& sites, const FieldOptions& options, DistanceFiel
       SquaredDistanceBounds best{std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::infinity()};
       for (std::uint32_t s = 0; s < sites.size(); ++s) {
-        if (sites.kind({s}) == SiteKind::kVertex && !sites.is_used(s)) {
+        if (!sites.is_site({s})) {
           all[s] = {std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
           continue;
@@ -46,6 +46,8 @@ bool brute_field(const SiteSet& sites, const FieldOptions& options, DistanceFiel
   });
   field.bound.below = field.bound.above = *std::ranges::max_element(widest);
   field.bound.relative = 0x1p-51;
+  // The owner is the lowest id that may be the nearest.
+  field.bound.regret = field.bound.below + field.bound.above;
   return goes_on;
 }
 

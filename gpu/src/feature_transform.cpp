@@ -1,6 +1,7 @@
 #include "blum/gpu/feature_transform.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -85,12 +86,17 @@ class Envelope {
 }  // namespace
 
 Result<FeatureTransform> feature_transform(const VoxelGrid& grid,
-                                           std::span<const std::uint8_t> is_feature, int threads) {
+                                           std::span<const std::uint8_t> is_feature, int threads,
+                                           const std::function<bool(double)>& on_progress) {
   const auto bad = [](std::string what) {
     return Error{ErrorCode::kBadArgument, std::move(what), {}, {}};
   };
   if (std::string problem = grid_problem(grid); !problem.empty()) return bad(std::move(problem));
   if (threads < 1) return bad("fewer than one thread");
+  // Squares of smaller ones would lose digits; grid_problem has refused the great ones.
+  if (std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}) < 0x1p-400) {
+    return bad("a spacing below 2^-400");
+  }
   if (is_feature.size() != grid.voxels()) return bad("the image has another size than the grid");
   if (std::ranges::all_of(is_feature, [](std::uint8_t f) { return f == 0; })) {
     return bad("the image has no feature");
@@ -101,9 +107,13 @@ Result<FeatureTransform> feature_transform(const VoxelGrid& grid,
   }
   const std::array<std::size_t, 3> stride = {1, grid.size[0],
                                              std::size_t{grid.size[0]} * grid.size[1]};
+  const std::size_t slabs = std::size_t{grid.size[2]} + grid.size[2] + grid.size[1];
+  std::atomic<std::size_t> done{0};
+  std::atomic<bool> goes_on{true};
   for (int axis = 0; axis < 3; ++axis) {
     const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
     for_each_in_parallel(threads, grid.size[v], [&](int, std::size_t b) {
+      if (!goes_on) return;
       Envelope envelope;
       std::vector<Candidate> row(grid.size[axis]);
       for (std::size_t a = 0; a < grid.size[u]; ++a) {
@@ -112,8 +122,11 @@ Result<FeatureTransform> feature_transform(const VoxelGrid& grid,
         envelope.run(row, grid.spacing[axis]);
         for (std::size_t q = 0; q < row.size(); ++q) best[first + q * stride[axis]] = row[q];
       }
+      const auto part = static_cast<double>(++done) / static_cast<double>(slabs);
+      if (on_progress && !on_progress(part)) goes_on = false;
     });
   }
+  if (!goes_on) return Error{ErrorCode::kInterrupted, "interrupted", {}, {}};
   FeatureTransform out;
   out.feature.reserve(best.size());
   out.distance.reserve(best.size());
@@ -122,6 +135,10 @@ Result<FeatureTransform> feature_transform(const VoxelGrid& grid,
     out.distance.push_back(std::sqrt(c.squared));
   }
   return out;
+}
+
+std::uint64_t feature_transform_bytes(const VoxelGrid& grid) {
+  return (sizeof(Candidate) + sizeof(std::uint64_t) + sizeof(double)) * grid.voxels();
 }
 
 }  // namespace blum

@@ -71,7 +71,10 @@ DistanceInterval DistanceField::interval(std::size_t voxel) const {
 std::string options_problem(const FieldOptions& options) {
   if (!(options.band >= 0)) return "the band is no distance";
   if (options.threads < 1) return "fewer than one thread";
-  if (!(options.mesh_error > 0)) return "the error of distance meshes is not positive";
+  // Smaller ones make meshes without end, greater ones have no use; NaN is neither.
+  if (!(options.mesh_error >= 1e-3 && options.mesh_error <= 1e3)) {
+    return "the error of distance meshes is not between 0.001 and 1000 spacings";
+  }
   const FieldCulling& c = options.culling;
   if (!c.sweep && !c.ranges && !c.clamping) return {};
   if (!is_opengl(options.backend) || options.method == FieldMethod::kGather) {

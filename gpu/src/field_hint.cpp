@@ -44,11 +44,10 @@ DistanceHint field_hint(const SiteSet& sites, const DistanceField& field, const 
   bounds->upper.reserve(field.site.size());
   for (std::size_t v = 0; v < field.site.size(); ++v) {
     const SiteId s = field.site_at(v);
-    const bool is_site = s.value < sites.size() &&
-                         (sites.kind(s) != SiteKind::kVertex || sites.is_used(sites.element(s)));
-    bounds->upper.push_back(is_site ? std::sqrt(sites.squared_distance(field.grid.point(v), s).hi) *
-                                          (1 + 0x1p-50)
-                                    : kInfinity);
+    bounds->upper.push_back(sites.is_site(s)
+                                ? std::sqrt(sites.squared_distance(field.grid.point(v), s).hi) *
+                                      (1 + 0x1p-50)
+                                : kInfinity);
   }
   return [b = std::shared_ptr<const Bounds>(std::move(bounds))](const Point3& working) {
     return upper_bound(*b, working);

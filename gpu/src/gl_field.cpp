@@ -1,7 +1,6 @@
 #include "gl_field.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -22,7 +21,10 @@ class Refinement {
     for_each_in_parallel(options_.threads, grid.size[2], [&](int, std::size_t k) {
       double widest = 0;
       for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) {
-        if (is_site(ids[v])) widest = std::max(widest, offer(v, ids[v]));
+        // What is stored already has been offered.
+        if (ids[v] != field_.site[v] && set_.is_site({ids[v]})) {
+          widest = std::max(widest, offer(v, ids[v]));
+        }
       }
       raise(widest);
     });
@@ -42,7 +44,7 @@ class Refinement {
     for_each_in_parallel(options_.threads, holes.size(), [&](int, std::size_t n) {
       double widest = 0;
       for (std::uint32_t s = 0; s < set_.size(); ++s) {
-        if (is_site(s)) widest = std::max(widest, offer(holes[n], s));
+        if (set_.is_site({s})) widest = std::max(widest, offer(holes[n], s));
       }
       raise(widest);
     });
@@ -51,10 +53,6 @@ class Refinement {
   [[nodiscard]] double widest() const { return widest_; }
 
  private:
-  [[nodiscard]] bool is_site(std::uint32_t id) const {
-    return id < set_.size() &&
-           (set_.kind({id}) != SiteKind::kVertex || set_.is_used(set_.element({id})));
-  }
   /// The width of the distance's enclosure.
   double offer(std::size_t voxel, std::uint32_t id) {
     const SquaredDistanceBounds d = set_.squared_distance(field_.grid.point(voxel), {id});
@@ -109,20 +107,22 @@ std::optional<Error> gl_field(const SiteSet& set, const FieldOptions& options,
   const VoxelGrid& grid = field.grid;
   const ScanSites sites =
       make_scan_sites(set, grid.sample_box(), options.culling.domains, kFloatUnit);
-  const GlFrame frame = gl_frame(sites, set, grid);
   const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-  GlJob job{set, sites,           options, grid, {options.method, options.mesh_error * finest, 0},
-            0,   field.statistics};
+  // Spacings may differ so much that meshes of the least one's error would have no end of cells.
+  const double mesh_error = std::max(options.mesh_error * finest, kFloatUnit * sites.reach);
+  GlJob job{
+      sites, options,         grid, gl_frame(sites, set, grid), {options.method, mesh_error, 0},
+      0,     field.statistics};
   Refinement refinement(set, options, field);
   const UseProposals use = [&](const std::vector<std::uint32_t>& ids) { refinement.take(ids); };
   bool is_done = false;
   int bits = 8;
   if (options.method == FieldMethod::kGather) {
     std::string problem;
-    is_done = gather(context, frame, job, problem, use);
+    is_done = gather(context, job, problem, use);
     if (!problem.empty()) return bad(problem);
   } else {
-    GlRaster raster(context.gl(), grid, sites, frame, options.method);
+    GlRaster raster(context.gl(), grid, sites, job.frame, options.method);
     if (!raster.problem().empty()) return bad(raster.problem());
     bits = raster.subpixel_bits();
     job.style.dilation = std::ldexp(4, -bits);

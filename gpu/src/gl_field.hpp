@@ -16,10 +16,10 @@ namespace blum::detail {
 /// What the ways of drawing share. Their results are proposals: an id a sample, none where nothing
 /// was drawn.
 struct GlJob {
-  const SiteSet& set;
   const ScanSites& sites;
   const FieldOptions& options;
   const VoxelGrid& grid;
+  GlFrame frame;
   SliceStyle style;
   double slack = 0;  ///< more than any computed distance of a covered sample errs by
   FieldStatistics& statistics;
@@ -38,8 +38,22 @@ using UseProposals = std::function<void(const std::vector<std::uint32_t>&)>;
 [[nodiscard]] bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use);
 [[nodiscard]] bool draw_sweep(GlRaster& raster, GlJob& job, const UseProposals& use);
 [[nodiscard]] bool draw_ranges(GlRaster& raster, GlJob& job, const UseProposals& use);
-[[nodiscard]] bool gather(GlContext& context, const GlFrame& frame, GlJob& job,
-                          std::string& problem, const UseProposals& use);
+[[nodiscard]] bool gather(GlContext& context, GlJob& job, std::string& problem,
+                          const UseProposals& use);
+
+/// How sites are drawn into a slice, or the part of it that `rect` is.
+struct SlicePass {
+  const Slice& slice;
+  PixelRect rect;
+  SliceStyle style;
+  double reach = 0;    ///< see Slice::add_pieces
+  double nearer = 0;   ///< see GlRaster::visible
+  bool writes = true;  ///< see GlRaster::visible
+};
+/// Draws the sites one after the other: which are visible? Counts them, too.
+[[nodiscard]] std::vector<std::uint8_t> visible_sites(GlRaster& raster, GlJob& job,
+                                                      PieceBuffer& pieces, const SlicePass& pass,
+                                                      std::span<const std::uint32_t> places);
 
 /// Boxes of at most `side` samples along every axis and what may own a sample of them, by rank;
 /// without culling.blocks: all sites. In increasing order of z.

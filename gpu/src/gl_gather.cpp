@@ -99,8 +99,7 @@ Work work_of(std::span<const CullTile> tiles, const GlJob& job) {
 
 }  // namespace
 
-bool gather(GlContext& context, const GlFrame& frame, GlJob& job, std::string& problem,
-            const UseProposals& use) {
+bool gather(GlContext& context, GlJob& job, std::string& problem, const UseProposals& use) {
   const GladGLContext& gl = context.gl();
   if (!context.is_at_least(4, 3)) {
     problem = "gather needs OpenGL 4.3, the driver (" + context.driver().renderer + ") has " +
@@ -110,6 +109,7 @@ bool gather(GlContext& context, const GlFrame& frame, GlJob& job, std::string& p
   const GLuint program = link_program(gl, kGather, nullptr, problem);
   if (program == 0) return false;
   const VoxelGrid& grid = job.grid;
+  const GlFrame& frame = job.frame;
   const std::vector<float> texels = site_texels(job.sites, frame, true);
   GLint most_bytes = 0, most_groups = 0;
   gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most_bytes);
@@ -165,8 +165,13 @@ bool gather(GlContext& context, const GlFrame& frame, GlJob& job, std::string& p
       ids[grid.index(0, 0, slab) + v] =
           n < job.sites.site.size() ? job.sites.site[n].id : kNoSite.value;
     }
-    for (std::size_t t = first; t < last; ++t) {
-      job.statistics.owner_sites += count_owners(ids, grid, tiles[t].node.begin, tiles[t].node.end);
+    for (std::size_t b = 0; b < blocks; ++b) {
+      std::array<std::uint32_t, 3> begin{}, end{};
+      for (int axis = 0; axis < 3; ++axis) {
+        begin[axis] = work.blocks[5 * b + static_cast<std::size_t>(axis)];
+        end[axis] = std::min(begin[axis] + std::uint32_t{kBlock}, grid.size[axis]);
+      }
+      job.statistics.owner_sites += count_owners(ids, grid, begin, end);
     }
     first = last;
     goes_on = job.goes_on(0.9 * static_cast<double>(last) / static_cast<double>(tiles.size()));

@@ -13,7 +13,6 @@
 // * Seen is what is nearest at some sample after two half diagonals of a voxel are taken off (see
 //   gl_sweep.cpp). Sites beyond the grid's box are drawn everywhere.
 #include <algorithm>
-#include <cmath>
 
 #include "gl_field.hpp"
 #include "vector3.hpp"
@@ -28,7 +27,7 @@ class Ranges {
   Ranges(GlRaster& raster, GlJob& job)
       : raster_(raster),
         job_(job),
-        pieces_(job.style.method, gl_frame(job.sites, job.set, job.grid)),
+        pieces_(job.style.method, job.frame),
         half_(0.5 * length(job.grid.spacing)) {
     for (int axis = 0; axis < 3; ++axis) {
       side_[axis] = axis < 2 ? kSide : kSlices;
@@ -130,11 +129,11 @@ class Ranges {
       raster_.begin_part(slice.z(), {begin[0], begin[1]}, {end[0], end[1]});
       const PixelRect rect = {static_cast<double>(begin[0]), static_cast<double>(begin[1]),
                               static_cast<double>(end[0]), static_cast<double>(end[1])};
-      visible(slice, rect, job_.style, reach, places, is_seen, 0, true);
-      SliceStyle larger = job_.style;
-      larger.dilation += 1;
-      larger.depth = job_.grid.spacing.z;
-      visible(slice, rect, larger, reach + more, places, is_seen, more, false);
+      look({slice, rect, job_.style, reach}, places, is_seen);
+      SlicePass again{slice, rect, job_.style, reach + more, more, false};
+      again.style.dilation += 1;
+      again.style.depth = job_.grid.spacing.z;
+      look(again, places, is_seen);
       const std::size_t samples = std::size_t{job_.grid.size[0]} * job_.grid.size[1];
       raster_.read_ids(std::span(ids).subspan(job_.grid.index(0, 0, k), samples));
       ++job_.statistics.blocks;
@@ -148,26 +147,16 @@ class Ranges {
   }
 
   /// Without writing only the sites that were not seen yet are tested.
-  void visible(const Slice& slice, const PixelRect& rect, const SliceStyle& style, double reach,
-               const std::vector<std::uint32_t>& places, std::vector<std::uint8_t>& is_seen,
-               double nearer, bool writes) {
-    pieces_.clear();
-    std::vector<std::size_t> ends, which;
-    std::vector<SlicePiece> pieces;
+  void look(const SlicePass& pass, const std::vector<std::uint32_t>& places,
+            std::vector<std::uint8_t>& is_seen) {
+    std::vector<std::uint32_t> tested;
+    std::vector<std::size_t> which;
     for (std::size_t n = 0; n < places.size(); ++n) {
-      if (!writes && is_seen[n] != 0) continue;
-      pieces.clear();
-      slice.add_pieces(job_.sites, places[n], rect, style, reach, pieces);
-      for (const SlicePiece& p : pieces) {
-        pieces_.add(p, places[n], job_.sites.site[places[n]].id);
-      }
-      if (writes && !pieces.empty()) ++job_.statistics.block_sites;
-      ends.push_back(pieces_.corners());
+      if (!pass.writes && is_seen[n] != 0) continue;
+      tested.push_back(places[n]);
       which.push_back(n);
     }
-    job_.statistics.queries += ends.size();
-    job_.statistics.fragments += static_cast<std::uint64_t>(pieces_.area());
-    const auto seen = raster_.visible(pieces_, ends, nearer, writes);
+    const auto seen = visible_sites(raster_, job_, pieces_, pass, tested);
     for (std::size_t n = 0; n < which.size(); ++n) is_seen[which[n]] |= seen[n];
   }
 

@@ -94,11 +94,11 @@ GlRaster::GlRaster(const GladGLContext& gl, const VoxelGrid& grid, const ScanSit
                " samples along x and y";
     return;
   }
-  if (sites.site.size() / kSitesInRow >= static_cast<std::size_t>(most)) {
+  const bool is_evaluated = method == FieldMethod::kFragments;
+  if (is_evaluated && sites.site.size() / kSitesInRow >= static_cast<std::size_t>(most)) {
     problem_ = "too many sites for the driver: at most " + std::to_string(most * kSitesInRow);
     return;
   }
-  const bool is_evaluated = method == FieldMethod::kFragments;
   const std::string fragment = std::string(kFragmentHead) + (is_evaluated ? kEvaluated : kAffine);
   program_ = link_program(gl, kVertexShader, fragment.c_str(), problem_);
   if (program_ == 0) return;

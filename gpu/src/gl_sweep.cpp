@@ -11,15 +11,13 @@
 //   d(q, p) <= d(r, p) + h and, for any other site, d(q, p') >= d(r, p') - h >= d(r, p) - h; so p
 //   is seen at q if 2h is taken off, and with h alone it may not be.
 // * That a region once left behind never comes back needs the way from its points to the site,
-// which
-//   lies in the region, to cross the slice within the grid's box: sites that leave the box sideways
-//   are never left behind.
+//   which lies in the region, to cross the slice within the grid's box: sites that leave the box
+//   sideways are never left behind.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "gl_field.hpp"
-#include "vector3.hpp"
 
 namespace blum::detail {
 namespace {
@@ -29,7 +27,7 @@ class Sweep {
   Sweep(GlRaster& raster, GlJob& job)
       : raster_(raster),
         job_(job),
-        pieces_(job.style.method, gl_frame(job.sites, job.set, job.grid)),
+        pieces_(job.style.method, job.frame),
         samples_(std::size_t{job.grid.size[0]} * job.grid.size[1]),
         half_(0.5 * std::hypot(job.grid.spacing.x, job.grid.spacing.y)) {}
 
@@ -80,36 +78,19 @@ class Sweep {
     ++job_.statistics.blocks;
     std::ranges::reverse(active);
     const double more = 2 * half_ + job_.slack;
-    const auto seen = visible(slice, job_.style, reach, active, 0, true);
+    const SlicePass first{slice, job_.slice_rect(), job_.style, reach};
+    const auto seen = visible_sites(raster_, job_, pieces_, first, active);
     std::vector<std::uint32_t> hidden;
     for (std::size_t n = 0; n < active.size(); ++n) {
       if (seen[n] == 0 && may_go(active[n])) hidden.push_back(active[n]);
     }
-    SliceStyle larger = job_.style;
-    larger.dilation += 1;
-    const auto still = visible(slice, larger, reach + more, hidden, more, false);
+    SlicePass again{slice, job_.slice_rect(), job_.style, reach + more, more, false};
+    again.style.dilation += 1;
+    const auto still = visible_sites(raster_, job_, pieces_, again, hidden);
     std::vector<std::uint8_t> goes(job_.sites.site.size(), 0);
     for (std::size_t n = 0; n < hidden.size(); ++n) goes[hidden[n]] = still[n] == 0;
     std::erase_if(active, [&](std::uint32_t place) { return goes[place] != 0; });
     std::ranges::reverse(active);
-  }
-
-  std::vector<std::uint8_t> visible(const Slice& slice, const SliceStyle& style, double reach,
-                                    const std::vector<std::uint32_t>& places, double nearer,
-                                    bool writes) {
-    pieces_.clear();
-    std::vector<std::size_t> ends;
-    std::vector<SlicePiece> pieces;
-    for (const std::uint32_t place : places) {
-      pieces.clear();
-      slice.add_pieces(job_.sites, place, job_.slice_rect(), style, reach, pieces);
-      for (const SlicePiece& p : pieces) pieces_.add(p, place, job_.sites.site[place].id);
-      if (writes && !pieces.empty()) ++job_.statistics.block_sites;
-      ends.push_back(pieces_.corners());
-    }
-    job_.statistics.queries += places.size();
-    job_.statistics.fragments += static_cast<std::uint64_t>(pieces_.area());
-    return raster_.visible(pieces_, ends, nearer, writes);
   }
 
   /// Does the site stay above and below the samples' voxels?

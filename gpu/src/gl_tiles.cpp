@@ -1,6 +1,5 @@
 // Sites drawn tile by tile, culled by our hierarchy of blocks on the CPU.
 #include <algorithm>
-#include <numeric>
 
 #include "blum/kernel/parallel.hpp"
 #include "gl_field.hpp"
@@ -78,14 +77,31 @@ std::uint64_t count_owners(const std::vector<std::uint32_t>& ids, const VoxelGri
   return static_cast<std::uint64_t>(std::ranges::unique(owners).begin() - owners.begin());
 }
 
+std::vector<std::uint8_t> visible_sites(GlRaster& raster, GlJob& job, PieceBuffer& pieces,
+                                        const SlicePass& pass,
+                                        std::span<const std::uint32_t> places) {
+  pieces.clear();
+  std::vector<std::size_t> ends;
+  std::vector<SlicePiece> of_site;
+  for (const std::uint32_t place : places) {
+    of_site.clear();
+    pass.slice.add_pieces(job.sites, place, pass.rect, pass.style, pass.reach, of_site);
+    for (const SlicePiece& p : of_site) pieces.add(p, place, job.sites.site[place].id);
+    if (pass.writes && !of_site.empty()) ++job.statistics.block_sites;
+    ends.push_back(pieces.corners());
+  }
+  job.statistics.queries += places.size();
+  job.statistics.fragments += static_cast<std::uint64_t>(pieces.area());
+  return raster.visible(pieces, ends, pass.nearer, pass.writes);
+}
+
 bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
   const std::vector<CullTile> tiles = make_cull_tiles(job, kTile);
   const VoxelGrid& grid = job.grid;
   std::vector<std::uint32_t> ids(grid.voxels(), kNoSite.value);
-  const GlFrame frame = gl_frame(job.sites, job.set, grid);
   double area = 0;
   const auto group = static_cast<std::uint32_t>(2 * job.options.threads);
-  std::vector<PieceBuffer> buffers(group, PieceBuffer(job.style.method, frame));
+  std::vector<PieceBuffer> buffers(group, PieceBuffer(job.style.method, job.frame));
   std::vector<std::uint64_t> drawn(group);
   for (std::uint32_t first = 0; first < grid.size[2]; first += group) {
     const std::uint32_t slices = std::min(group, grid.size[2] - first);
@@ -100,8 +116,7 @@ bool draw_tiles(GlRaster& raster, GlJob& job, const UseProposals& use) {
         const PixelRect rect = {
             static_cast<double>(tile.node.begin[0]), static_cast<double>(tile.node.begin[1]),
             static_cast<double>(tile.node.end[0]), static_cast<double>(tile.node.end[1])};
-        const double reach =
-            job.options.culling.blocks ? tile.node.reach + job.slack : job.options.band + job.slack;
+        const double reach = tile.node.reach + job.slack;
         for (const std::uint32_t place : tile.places) {
           pieces.clear();
           slice.add_pieces(job.sites, place, rect, job.style, reach, pieces);

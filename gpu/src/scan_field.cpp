@@ -36,6 +36,10 @@ class Descent {
 
  private:
   void descend(const CullNode& node, const std::vector<Sphere>& list, std::size_t depth) {
+    if (list.empty()) {
+      statistics_.blocks += BlockCull::blocks_in(node);
+      return;
+    }
     if (BlockCull::is_block(node)) return scan(node, list);
     std::vector<CullNode> parts;
     BlockCull::split(node, parts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -98,6 +99,10 @@ bool in_one_line(std::span<const Point3> points, const std::vector<std::uint32_t
 
 Soup soup_of(PolygonMesh mesh) {
   Soup soup;
+  if (mesh.faces.empty()) {
+    soup.isolated.resize(mesh.points.size());
+    std::iota(soup.isolated.begin(), soup.isolated.end(), 0u);
+  }
   soup.points = std::move(mesh.points);
   soup.polygons = std::move(mesh.faces);
   return soup;

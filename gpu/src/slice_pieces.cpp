@@ -1,5 +1,8 @@
 #include "slice_pieces.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "vector3.hpp"

@@ -1,7 +1,6 @@
 /// Convex polygons in a slice, in pixels: sample (i, j) is the point (i + 0.5, j + 0.5).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,11 +1,12 @@
-/// Small vector operations in double; each says what it rounds.
+/// Small vector operations in double; each says what it rounds. A namespace of their own: other
+/// modules have operations of the same names with other roundings.
 #pragma once
 
 #include <cmath>
 
 #include "blum/kernel/point.hpp"
 
-namespace blum::detail {
+namespace blum::detail::inline gpu_vectors {
 
 [[nodiscard]] inline Point3 minus(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -27,4 +28,4 @@ namespace blum::detail {
   return {a.x / l, a.y / l, a.z / l};
 }
 
-}  // namespace blum::detail
+}  // namespace blum::detail::inline gpu_vectors

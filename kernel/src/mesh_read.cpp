@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "blum/kernel/mesh.hpp"
+#include "blum/kernel/mesh_or_points.hpp"
 #include "read_text.hpp"
 
 namespace blum {
@@ -40,6 +41,14 @@ Result<PolygonMesh> read::any(std::string_view bytes, std::string_view extension
 }
 
 Result<PolygonMesh> read_mesh(const std::filesystem::path& file) {
+  Result<PolygonMesh> mesh = read_mesh_or_points(file);
+  if (!mesh.ok() || !mesh.value().faces.empty()) return mesh;
+  Error error = read::no_faces();
+  error.file = file.string();
+  return error;
+}
+
+Result<PolygonMesh> read_mesh_or_points(const std::filesystem::path& file) {
   const auto fail = [&](Error error) {
     error.file = file.string();
     return error;
@@ -70,6 +79,7 @@ Result<PolygonMesh> read_mesh(const std::filesystem::path& file) {
   if (in.bad()) return fail(read::make_error(ErrorCode::kFileUnreadable, "reading failed"));
   Result<PolygonMesh> mesh = read::any(bytes, file.extension().string());
   if (!mesh.ok()) return fail(mesh.error());
+  if (mesh.value().points.empty()) return fail(read::no_faces());
   return mesh;
 }
 

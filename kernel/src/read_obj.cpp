@@ -16,6 +16,7 @@ Result<PolygonMesh> obj(std::string_view text) {
   }
   PolygonMesh mesh;
   std::vector<std::size_t> line_of_face;
+  bool has_curves = false;
   Tokens tokens(text, '#', true);
   for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next()) {
     if (word == "v") {
@@ -48,12 +49,15 @@ Result<PolygonMesh> obj(std::string_view text) {
       }
       mesh.faces.push_back(std::move(face));
       line_of_face.push_back(line);
+    } else {
+      has_curves |= word == "l" || word == "curv" || word == "surf";
     }
     // Joined lines must not leave half a statement behind, so read on token by token.
     while (!tokens.next_on_line().empty()) {
     }
   }
-  if (mesh.faces.empty()) return make_error(ErrorCode::kNoFaces, "the file has no faces");
+  // Else the file would be taken for points alone.
+  if (mesh.faces.empty() && has_curves) return no_faces();
   // A face may name vertices that come later.
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     for (const std::uint32_t v : mesh.faces[f]) {

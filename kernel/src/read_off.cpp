@@ -68,7 +68,6 @@ Result<PolygonMesh> off(std::string_view text) {
                           std::to_string(faces) + " faces, more than the file can hold",
                       tokens.line());
   }
-  if (faces == 0) return make_error(ErrorCode::kNoFaces, "the file has no faces");
 
   PolygonMesh mesh;
   mesh.points.reserve(vertices);

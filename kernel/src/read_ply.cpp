@@ -203,7 +203,7 @@ class Reader {
       : header_(header), numbers_(header.data, header.encoding, header.lines) {}
 
   Result<PolygonMesh> read() {
-    bool has_vertices = false, has_faces = false;
+    bool has_vertices = false;
     for (const Element& e : header_.elements) {
       if (e.properties.empty()) {
         if (e.count == 0) continue;
@@ -222,17 +222,18 @@ class Reader {
         has_vertices = true;
         error = read_vertices(e);
       } else if (e.name == "face") {
-        has_faces = true;
         error = read_faces(e);
       } else {
         error = read_element(e, [](auto&&...) { return std::nullopt; });
       }
       if (error) return *error;
     }
+    // Else the file would be taken for points alone.
+    const auto connects = [](const Element& e) {
+      return e.count > 0 && (e.name == "tristrips" || e.name == "edge");
+    };
+    if (mesh_.faces.empty() && std::ranges::any_of(header_.elements, connects)) return no_faces();
     if (!has_vertices) return make_error(ErrorCode::kMalformedFile, "no element 'vertex'");
-    if (!has_faces || mesh_.faces.empty()) {
-      return make_error(ErrorCode::kNoFaces, "the file has no faces");
-    }
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       for (const std::uint32_t v : mesh_.faces[f]) {
         if (v < mesh_.points.size()) continue;
@@ -244,6 +245,7 @@ class Reader {
       }
     }
     if (!numbers_.only_space_left()) {
+      if (mesh_.faces.empty()) return no_faces();
       return make_error(ErrorCode::kMalformedFile, "data after the last element");
     }
     return std::move(mesh_);

@@ -66,7 +66,7 @@ Result<PolygonMesh> stl_binary(std::string_view bytes) {
   if (!looks_like_binary_stl(bytes)) {
     return make_error(ErrorCode::kMalformedFile, "data after the last triangle of a binary STL");
   }
-  if (count == 0) return make_error(ErrorCode::kNoFaces, "the file has no faces");
+  if (count == 0) return no_faces();
   PolygonMesh mesh;
   VertexMerger merger(mesh);
   mesh.faces.reserve(count);
@@ -136,7 +136,7 @@ Result<PolygonMesh> stl_ascii(std::string_view text) {
     }
     tokens.skip_line();
   }
-  if (mesh.faces.empty()) return make_error(ErrorCode::kNoFaces, "the file has no faces");
+  if (mesh.faces.empty()) return no_faces();
   return mesh;
 }
 

@@ -32,6 +32,8 @@ bool is_huge(std::string_view digits) {
 
 }  // namespace
 
+Error no_faces() { return make_error(ErrorCode::kNoFaces, "the file has no faces"); }
+
 Error make_error(ErrorCode code, std::string message, std::optional<std::size_t> element) {
   return {code, std::move(message), "", element};
 }

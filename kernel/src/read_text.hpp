@@ -59,6 +59,9 @@ class Tokens {
 /// ASCII case-insensitive.
 [[nodiscard]] bool same_word(std::string_view a, std::string_view b);
 
+[[nodiscard]] Error no_faces();
+
+/// OFF, OBJ and PLY may have points alone.
 [[nodiscard]] Result<PolygonMesh> off(std::string_view text);
 [[nodiscard]] Result<PolygonMesh> obj(std::string_view text);
 [[nodiscard]] Result<PolygonMesh> stl_ascii(std::string_view text);

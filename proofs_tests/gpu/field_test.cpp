@@ -126,6 +126,27 @@ TEST(DistanceField, TiesGoToTheLowestId) {
   EXPECT_EQ(brute_of(sites, grid).site, field.site);
 }
 
+// Of the sites whose bounds overlap the lowest id owns, nearest or not.
+TEST(DistanceField, TheTwin_SaysByHowMuchItsOwnersMayMiss) {
+  test::RandomSoup random(11);
+  const SiteSet sites = sites_of(random.make(2, 4, 9));
+  const VoxelGrid grid = grid_around(sites, {9, 8, 7});
+  const DistanceField brute = brute_of(sites, grid);
+  EXPECT_GT(brute.bound.regret, 0);
+  EXPECT_EQ(brute.bound.regret, brute.bound.below + brute.bound.above);
+  for (std::size_t v = 0; v < brute.site.size(); ++v) {
+    const Point3 q = grid.point(v);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t s = 0; s < sites.size(); ++s) {
+      if (sites.is_site({s})) {
+        nearest = std::min(nearest, std::sqrt(sites.squared_distance(q, {s}).lo));
+      }
+    }
+    const double own = std::sqrt(sites.squared_distance(q, brute.site_at(v)).hi);
+    EXPECT_LE(own, nearest + brute.bound.regret + brute.bound.relative * own);
+  }
+}
+
 TEST(DistanceField, Threads_ChangeNoBit) {
   const SiteSet sites = sites_of(soup_of(shapes::torus(24, 12, 2, 0.7)));
   const VoxelGrid grid = grid_around(sites, {70, 65, 33});
@@ -186,6 +207,7 @@ TEST(DistanceField, ABand_KeepsWhatIsWithin) {
   }
   EXPECT_GT(kept, 1000u);
   EXPECT_LT(band.statistics.fragments, full.statistics.fragments);
+  EXPECT_EQ(band.statistics.blocks, full.statistics.blocks) << "blocks without sites count, too";
 }
 
 TEST(DistanceField, BadOptions_AreRefused) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 #include "blum/gpu/field.hpp"
@@ -29,6 +31,10 @@ class GlField : public testing::TestWithParam<FieldBackend> {
     const auto driver = field_driver(GetParam());
     if (!driver) GTEST_SKIP() << driver.error().message;
     const FieldDriver& d = driver.value();
+    const char* asked = std::getenv("GALLIUM_DRIVER");
+    if (asked != nullptr && d.renderer.find(asked) == std::string::npos) {
+      GTEST_SKIP() << "asked for " << asked << ", there is " << d.renderer;
+    }
     gathers_ = d.major > 4 || (d.major == 4 && d.minor >= 3);
     if (!gathers_) {
       std::cout << "no gather: it needs OpenGL 4.3, and " << d.renderer << " has " << d.version
@@ -266,6 +272,36 @@ TEST_P(GlField, SweepsClampingAndRanges_SaveWork) {
             static_cast<double>(all.block_sites) / static_cast<double>(all.blocks));
 }
 
+// Without blocks all sites are processed for every block, as on the CPU: so are the owners counted.
+TEST_P(GlField, GatherWithoutBlocks_CountsAsTheCpu) {
+  if (!gathers_) GTEST_SKIP() << "gather needs OpenGL 4.3";
+  RandomSoup random(3);
+  const SiteSet sites = sites_of(random.make(3, 4, 12));
+  const VoxelGrid grid = grid_around(sites, {37, 34, 19});
+  FieldOptions o;
+  o.culling = {false, true};
+  const FieldStatistics cpu = test::field_of(sites, grid, o).statistics;
+  o.backend = GetParam();
+  o.method = FieldMethod::kGather;
+  const FieldStatistics gl = test::field_of(sites, grid, o).statistics;
+  EXPECT_EQ(gl.blocks, cpu.blocks);
+  EXPECT_EQ(gl.block_sites, cpu.block_sites);
+  EXPECT_EQ(gl.fragments, cpu.fragments);
+  // Floats may see an owner of few samples where doubles see another.
+  EXPECT_NEAR(culling_efficiency(gl), culling_efficiency(cpu), 0.01 * culling_efficiency(cpu));
+}
+
+// Meshes of the least spacing's error would have cells without end.
+TEST_P(GlField, SpacingsThatDifferMuch_HaveMeshesAllTheSame) {
+  const SiteSet sites = sites_of(soup_of(shapes::torus(6, 4, 2, 0.7)));
+  const VoxelGrid grid = {{9, 8, 3}, {-2.9, -2.8, 0.1}, {0.7, 0.7, 1e-12}};
+  const DistanceField brute = brute_of(sites, grid);
+  FieldOptions o;
+  o.backend = GetParam();
+  o.method = FieldMethod::kDistanceMeshes;
+  expect_within_regret(sites, grid, o, brute);
+}
+
 INSTANTIATE_TEST_SUITE_P(Drivers, GlField, testing::ValuesIn(test::kGlBackends),
                          [](const auto& driver) {
                            return std::string(field_backend_name(driver.param));
@@ -282,6 +318,16 @@ TEST(FieldBackend, Names_AreKnownAndGlOptionsChecked) {
   o.culling = {};
   o.mesh_error = 0;
   EXPECT_EQ(compute_field(sites, grid, o).error().code, ErrorCode::kBadArgument);
+  for (const double bad :
+       {-1.0, 1e-40, 1e-37, 0.999e-3, 1.001e3, std::numeric_limits<double>::infinity(),
+        std::numeric_limits<double>::quiet_NaN()}) {
+    o.mesh_error = bad;
+    EXPECT_NE(options_problem(o), "") << bad;
+  }
+  for (const double good : {1e-3, 0.5, 1e3}) {
+    o.mesh_error = good;
+    EXPECT_EQ(options_problem(o), "") << good;
+  }
   EXPECT_FALSE(field_driver(FieldBackend::kCpu).ok());
   const BackendChoice choice = choose_backend();
   EXPECT_TRUE(choice.backend == FieldBackend::kCpu || choice.backend == FieldBackend::kEgl);

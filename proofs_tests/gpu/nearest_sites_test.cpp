@@ -115,6 +115,39 @@ TEST(FeatureTransform, BadInput_IsRefused) {
   EXPECT_FALSE(feature_transform(grid, std::vector<std::uint8_t>(7, 1), 1).ok());
   EXPECT_FALSE(feature_transform(grid, std::vector<std::uint8_t>(8, 1), 0).ok());
   EXPECT_FALSE(feature_transform(VoxelGrid{}, {}, 1).ok());
+  // Whose squares are not what they should be.
+  const VoxelGrid tiny{{2, 2, 2}, {0, 0, 0}, {1, 1e-200, 1}};
+  EXPECT_FALSE(feature_transform(tiny, std::vector<std::uint8_t>(8, 1), 1).ok());
+}
+
+TEST(FeatureTransform, Stopped_IsAnError) {
+  const VoxelGrid grid{{3, 4, 5}, {0, 0, 0}, {1, 1, 1}};
+  const std::vector<std::uint8_t> image(60, 1);
+  double last = 0;
+  const auto all = feature_transform(grid, image, 1, [&](double part) {
+    EXPECT_GT(part, last);
+    last = part;
+    return true;
+  });
+  EXPECT_TRUE(all.ok());
+  EXPECT_EQ(last, 1);
+  const auto none = feature_transform(grid, image, 2, [](double) { return false; });
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, ErrorCode::kInterrupted);
+}
+
+TEST(FeatureTransform, AllSetOrOne_IsPlain) {
+  const VoxelGrid grid{{4, 3, 2}, {1, 2, 3}, {0.5, 2, 0.25}};
+  const FeatureTransform all = feature_transform(grid, std::vector<std::uint8_t>(24, 7), 1).value();
+  std::vector<std::uint8_t> image(24, 0);
+  image[23] = 1;
+  const FeatureTransform one = feature_transform(grid, image, 1).value();
+  for (std::size_t v = 0; v < 24; ++v) {
+    EXPECT_EQ(all.feature[v], v);
+    EXPECT_EQ(all.distance[v], 0);
+    EXPECT_EQ(one.feature[v], 23u);
+  }
+  EXPECT_EQ(one.distance[0], std::sqrt(1.5 * 1.5 + 4 * 4 + 0.25 * 0.25));
 }
 
 }  // namespace

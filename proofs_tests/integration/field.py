@@ -92,7 +92,8 @@ class Field(ToolTest):
             self.assertAlmostEqual(a, b, delta=1e-12)
 
     def test_vti_survives_the_round_trip(self):
-        self.expect(self.blum("field", "box.off", *self.GRID, "--signed", "-o", "box.vti"), 0)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu", "--signed",
+                              "-o", "box.vti"), 0)
         read = run_reader(["vtkmodules.vtkIOXML"], READ_VTI, self.folder / "box.vti")
         self.assertEqual(read["size"], [5, 4, 3])
         self.assertEqual(read["origin"], self.ORIGIN)
@@ -104,8 +105,8 @@ class Field(ToolTest):
     def test_nrrd_survives_the_round_trip(self):
         # VTK takes a first axis of less than ten for components: a grid larger along x.
         grid = ["--resolution", "20,4,3", "--box", "-1,-1,-1,4,3,5"]
-        self.expect(self.blum("field", "box.off", *grid, "-o", "box.nrrd"), 0)
-        self.expect(self.blum("field", "box.off", *grid, "-o", "box.vti"), 0)
+        for name in ["box.nrrd", "box.vti"]:
+            self.expect(self.blum("field", "box.off", *grid, "--backend", "cpu", "-o", name), 0)
         read = run_reader(["vtkmodules.vtkIOImage"], READ_NRRD, self.folder / "box.nrrd")
         self.assertEqual(read["size"], [20, 4, 3])
         self.assertEqual(read["origin"], [-0.875, -0.5, 0])
@@ -115,7 +116,8 @@ class Field(ToolTest):
         self.assertEqual(read["distance"], vti["distance"])
 
     def test_npy_survives_the_round_trip(self):
-        self.expect(self.blum("field", "box.off", *self.GRID, "-o", "box.npy"), 0)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu",
+                              "-o", "box.npy"), 0)
         geometry = json.loads((self.folder / "box.npy.json").read_text())
         self.assertEqual(geometry, {"size": [5, 4, 3], "origin": self.ORIGIN,
                                     "spacing": self.SPACING, "order": 1})
@@ -127,7 +129,8 @@ class Field(ToolTest):
     def test_npy_and_nrrd_hold_the_same_bytes(self):
         """Without any reader: the raw values at the end of the files."""
         for name in ["box.npy", "box.nrrd"]:
-            self.expect(self.blum("field", "box.off", *self.GRID, "-o", name), 0)
+            self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu",
+                                  "-o", name), 0)
         count = 5 * 4 * 3
         npy, nrrd = [(self.folder / name).read_bytes()[-8 * count:]
                      for name in ["box.npy", "box.nrrd"]]
@@ -136,8 +139,8 @@ class Field(ToolTest):
 
     def test_files_do_not_depend_on_threads_or_backend(self):
         for name, options in [("a", ["--threads", "1"]), ("b", ["--threads", "5"])]:
-            self.expect(self.blum("field", "box.off", "--resolution", 24, "--signed", *options,
-                                  "-o", name + ".vti"), 0)
+            self.expect(self.blum("field", "box.off", "--resolution", 24, "--backend", "cpu",
+                                  "--signed", *options, "-o", name + ".vti"), 0)
         self.assertEqual((self.folder / "a.vti").read_bytes(), (self.folder / "b.vti").read_bytes())
         self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "brute",
                               "-o", "c.npy"), 0)
@@ -151,7 +154,8 @@ class Field(ToolTest):
             self.expect(result, 1)
             self.assertIn("OpenVDB", result.stderr)
             self.skipTest("built without OpenVDB")
-        self.expect(self.blum("field", "box.off", *self.GRID, "--signed", "-o", "box.vdb"), 0)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu", "--signed",
+                              "-o", "box.vdb"), 0)
         read = json.loads(subprocess.run([reader, self.folder / "box.vdb"], check=True,
                                          capture_output=True, encoding="utf-8").stdout)
         self.expect_close(read["origin"], self.ORIGIN)
@@ -160,10 +164,21 @@ class Field(ToolTest):
         self.assertEqual(len(values), 5 * 4 * 3)
         self.expect_close([d for _, d in sorted(values.items())], self.distances())
         self.assertLess(max(site for *_, site in read["values"]), 8 + 12 + 6)
-        self.expect(self.blum("field", "box.off", *self.GRID, "--band", 0.5, "-o", "b.vdb"), 0)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu", "--band", 0.5,
+                              "-o", "b.vdb"), 0)
         read = json.loads(subprocess.run([reader, self.folder / "b.vdb"], check=True,
                                          capture_output=True, encoding="utf-8").stdout)
         self.assertEqual(len(read["values"]), sum(abs(d) <= 0.5 for d in self.distances()))
+        self.assertEqual(read["inactive_inside"], 0)
+        self.expect(self.blum("field", "box.off", *self.GRID, "--backend", "cpu", "--band", 0.25,
+                              "--signed", "-o", "b.vdb"), 0)
+        read = json.loads(subprocess.run([reader, self.folder / "b.vdb"], check=True,
+                                         capture_output=True, encoding="utf-8").stdout)
+        self.assertEqual(len(read["values"]), sum(abs(d) <= 0.25 for d in self.distances()))
+        # Beyond the band the side is still told.
+        inside = sum(d < -0.25 for d in self.distances())
+        self.assertGreater(inside, 0)
+        self.assertEqual(read["inactive_inside"], inside)
 
     def test_opengl_backends_are_within_their_regret(self):
         ways = [["--method", "fragments"], ["--method", "gather"], ["--method", "havoc"],
@@ -186,6 +201,23 @@ class Field(ToolTest):
         result = self.blum("field", "box.off", "--resolution", 4, "--dry-run")
         self.assertRegex(result.stdout, r"backend: +(cpu|egl) \(auto: .+\)")
 
+    def test_auto_leaves_signs_to_the_cpu(self):
+        result = self.blum("field", "box.off", "--resolution", 4, "--signed", "--dry-run")
+        self.expect(result, 0)
+        self.assertRegex(result.stdout, r"backend: +cpu \(auto: .+\)")
+
+    def test_a_missing_driver_is_an_error_in_a_dry_run_too(self):
+        for backend in ["egl", "osmesa"]:
+            with self.subTest(backend):
+                result = self.blum("field", "box.off", "--resolution", 4, "--backend", backend,
+                                   "--dry-run")
+                if result.returncode == 0:
+                    self.assertRegex(result.stdout, rf"backend: +{backend} \(.*OpenGL \d")
+                else:
+                    self.expect(result, 1)
+                    self.assertRegex(result.stderr, "no OpenGL")
+                    self.assertNotIn("backend:", result.stdout)
+
     def test_order_and_band_show_in_the_shape(self):
         self.expect(self.blum("field", "box.off", *self.GRID, "--order", 2, "--band", 0.8,
                               "-o", "two.npy"), 0)
@@ -206,7 +238,8 @@ class Field(ToolTest):
         self.assertEqual(len(zlib.decompress(png[start:start + length])), 50 * (1 + 3 * 40))
 
     def test_a_dry_run_says_what_it_would_take_and_writes_nothing(self):
-        result = self.blum("field", "box.off", "--resolution", 200, "--dry-run", "-o", "x.vti")
+        result = self.blum("field", "box.off", "--resolution", 200, "--backend", "cpu", "--dry-run",
+                           "-o", "x.vti")
         self.expect(result, 0)
         for word in ["sites:", "grid:", "200", "backend:", "cpu", "memory:", "MiB"]:
             self.assertIn(word, result.stdout)
@@ -214,7 +247,7 @@ class Field(ToolTest):
 
     def test_a_grid_too_large_for_memory_is_refused_with_one_that_fits(self):
         result = self.blum("field", "box.off", "--resolution", "100000,100000,100000",
-                           "-o", "x.vti")
+                           "--backend", "cpu", "-o", "x.vti")
         self.expect(result, 2)
         self.assertRegex(result.stderr, r"needs about \d+ MiB.*--resolution \d+,\d+,\d+ would fit")
         self.assertEqual(self.names(), ["box.off"])
@@ -226,6 +259,27 @@ class Field(ToolTest):
         self.expect(result, 2)
         self.assertIn("boundary_edge", result.stderr)
         self.assertEqual(self.names(), ["box.off", "open.off", "x.npy", "x.npy.json"])
+
+    def test_points_alone_have_a_field(self):
+        points = [(0, 0, 0), (1, 2, 3), (0.5, 0.25, 2), (1, 0, 1)]
+        lines = ["%r %r %r" % p for p in points]
+        self.file("p.off", "OFF\n4 0 0\n" + "\n".join(lines) + "\n")
+        self.file("p.obj", "".join(f"v {line}\n" for line in lines))
+        self.file("p.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+                           "property double y\nproperty double z\nend_header\n" +
+                           "\n".join(lines) + "\n")
+        expected = [min(math.dist(p, [o + n * s for o, n, s in zip(self.ORIGIN, at, self.SPACING)])
+                        for p in points)
+                    for at in [(i, j, k) for k in range(3) for j in range(4) for i in range(5)]]
+        for kind in ["off", "obj", "ply"]:
+            with self.subTest(kind):
+                self.expect(self.blum("field", f"p.{kind}", *self.GRID, "--backend", "cpu",
+                                      "-o", f"{kind}.npy"), 0)
+                raw = (self.folder / f"{kind}.npy").read_bytes()[-8 * 60:]
+                self.expect_close(list(struct.unpack("<60d", raw)), expected)
+        self.expect(self.blum("field", "p.ply", *self.GRID, "--signed", "-o", "x.npy"), 2)
+        self.file("l.obj", "v 0 0 0\nv 1 1 1\nl 1 2\n")
+        self.expect(self.blum("field", "l.obj", *self.GRID, "-o", "x.npy"), 2)
 
     def test_wrong_command_lines_exit_with_1(self):
         for arguments in [["box.off"], ["box.off", "--resolution", "8"],
@@ -239,8 +293,23 @@ class Field(ToolTest):
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--order", "2",
                            "--signed"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "gpu"],
-                          ["box.off", "--resolution", "8", "-o", "x.vti", "--cull", "sweep"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "cpu",
+                           "--cull", "sweep"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--cull", "all"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--cull",
+                           "none,domains"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "cpu",
+                           "--method", "difi"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "brute",
+                           "--mesh-error", "0.5"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--signed",
+                           "--method", "fragments"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
+                           "--method", "havoc", "--mesh-error", "1e-40"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
+                           "--method", "havoc", "--mesh-error", "inf"],
+                          ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
+                           "--method", "havoc", "--mesh-error", "nan"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",
                            "--cull", "clamp"],
                           ["box.off", "--resolution", "8", "-o", "x.vti", "--backend", "egl",

@@ -22,5 +22,7 @@ int main(int, char** argv) {
                 site->tree().getValue(c));
     separator = ", ";
   }
-  std::printf("]}\n");
+  int inside = 0;
+  for (auto v = distance->cbeginValueOff(); v; ++v) inside += v.isVoxelValue() && *v < 0;
+  std::printf("], \"inactive_inside\": %d}\n", inside);
 }

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 
+#include "blum/kernel/mesh_or_points.hpp"
 #include "mesh_test_tools.hpp"
 
 namespace blum {
@@ -437,6 +438,47 @@ TEST(ErrorCode, Names_AreDistinct) {
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
   EXPECT_EQ(std::count(names.begin(), names.end(), "unknown"), 0);
+}
+
+TEST(ReadMeshOrPoints, WithoutFaces_IsACloudOfPoints) {
+  const std::vector<Point3> expected = {{0, 0, 0}, {1, 0.5, -2}};
+  for (const auto& [text, name] : std::vector<std::pair<std::string, std::string>>{
+           {"OFF\n2 0 0\n0 0 0\n1 0.5 -2\n", "m.off"},
+           {"v 0 0 0\nv 1 0.5 -2\n", "m.obj"},
+           {"v 0 0 0\nv 1 0.5 -2\np 1 2\n", "m.obj"},
+           {"ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+            "property double z\nend_header\n0 0 0\n1 0.5 -2\n",
+            "m.ply"}}) {
+    SCOPED_TRACE(text);
+    const Folder folder;
+    const auto file = folder.write(name, text);
+    const Result<PolygonMesh> points = read_mesh_or_points(file);
+    ASSERT_TRUE(points.ok()) << points.error().message;
+    EXPECT_EQ(points.value().points, expected);
+    EXPECT_TRUE(points.value().faces.empty());
+    expect_error(read_mesh(file), ErrorCode::kNoFaces);
+  }
+}
+
+// Segments, strips and nothing at all are no clouds; neither is what a count has hidden.
+TEST(ReadMeshOrPoints, OtherThingsWithoutFaces_AreRefused) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+      "property double z\n";
+  for (const auto& [text, name] : std::vector<std::pair<std::string, std::string>>{
+           {"OFF\n0 0 0\n", "m.off"},
+           {"# nothing\n", "m.obj"},
+           {"v 0 0 0\nv 1 0.5 -2\nl 1 2\n", "m.obj"},
+           {"solid x\nendsolid x\n", "m.stl"},
+           {head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                   "0 0 0\n1 0.5 -2\n3 0 1 0\n",
+            "m.ply"},
+           {head + "end_header\n0 0 0\n1 0.5 -2\n3 0 1 0\n", "m.ply"}}) {
+    SCOPED_TRACE(text);
+    const Folder folder;
+    const auto file = folder.write(name, text);
+    expect_error(read_mesh_or_points(file), ErrorCode::kNoFaces);
+  }
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ struct FieldOptions {
   int threads = 1;  ///< the field does not depend on it, bit by bit
   FieldCulling culling;
   FieldMethod method = FieldMethod::kFragments;  ///< of the OpenGL backends
-  double mesh_error = 0.5;  ///< of distance meshes, in units of the smallest spacing; > 0
+  /// Of distance meshes, in units of the smallest spacing; 1e-3 to 1e3. Meshes are no finer than
+  /// 2^-24 of the 1-norm diameter of samples and sites, below which floats round as much anyway.
+  double mesh_error = 0.5;
   /// Called from any thread with the part done, in [0, 1]; false stops the computation.
   std::function<bool(double)> on_progress;
 };
@@ -77,17 +79,21 @@ struct DistanceInterval {
 /// D - below - relative D <= d <= D + above + relative D. Derived in docs/fields.md.
 ///
 /// `regret`: the stored site is at most that much farther than the nearest one, up to the rounding
-/// that `relative` covers; part of `below`. It holds for any OpenGL driver that computes and
-/// rasterizes as the specification says; nothing else rests on the driver.
+/// that `relative` covers. The CPU's backends: below + above. OpenGL: part of `below`, and it holds
+/// for any driver that computes and rasterizes as the specification says. Nothing else rests on the
+/// driver but what follows from `below`: that samples without a site lie beyond a finite band,
+/// lower ends of intervals, and the sides that `sides_of` takes from these instead of the exact
+/// test.
 struct FieldBound {
   double below = 0, above = 0, relative = 0, regret = 0;
 };
 
 /// Work done, as section 2.13 of the thesis counts it (zeros from the brute-force backend).
 /// Parts are blocks of at most 8 x 8 x 8 samples (CPU, gather), a slice of a tile of at most
-/// 32 x 32 samples (OpenGL, and with `ranges`) or a slice (`sweep`, both directions counted).
+/// 32 x 32 samples (OpenGL, and with `ranges`; a whole slice without `blocks`) or a slice (`sweep`,
+/// both directions counted).
 struct FieldStatistics {
-  std::uint64_t blocks = 0;       ///< parts
+  std::uint64_t blocks = 0;  ///< parts
   /// Sites processed, summed over the parts; where polygons are drawn: sites with a polygon there.
   std::uint64_t block_sites = 0;
   std::uint64_t owner_sites = 0;  ///< of these, sites that own a sample of the part
@@ -117,7 +123,8 @@ struct BackendChoice {
   FieldBackend backend = FieldBackend::kCpu;
   std::string reason;
 };
-/// EGL where it has a driver for hardware, else the CPU.
+/// EGL where it has a driver for hardware, else the CPU. For fields whose sides matter take the
+/// CPU: FieldBound says what rests on a driver.
 [[nodiscard]] BackendChoice choose_backend();
 
 struct DistanceField {
@@ -130,8 +137,9 @@ struct DistanceField {
   FieldStatistics statistics;
 
   [[nodiscard]] SiteId site_at(std::size_t voxel) const { return {site[voxel]}; }
-  /// Certified to hold the exact distance from the sample to the nearest site; the distance to
-  /// site_at(voxel) lies in it, too. Beyond the band: [about band, infinity].
+  /// Certified to hold the exact distance from the sample to the nearest site (`lo` of an OpenGL
+  /// backend if its driver is right: FieldBound); the distance to site_at(voxel) lies in it, too.
+  /// Beyond the band: [about band, infinity].
   [[nodiscard]] DistanceInterval interval(std::size_t voxel) const;
 };
 
@@ -149,8 +157,8 @@ struct DistanceField {
 /// The point of site_at(voxel) nearest to the sample, rounded. Requires: the voxel has a site.
 [[nodiscard]] Point3 foot_at(const SiteSet& sites, const DistanceField& field, std::size_t voxel);
 
-/// About how many bytes compute_field needs at its peak, beside the SiteSet and a driver's own: 12 a
-/// voxel (OpenGL: 16), and what 300,000 sites were measured to take, in proportion.
+/// About how many bytes compute_field needs at its peak, beside the SiteSet and a driver's own: 12
+/// a voxel (OpenGL: 16), and what 300,000 sites were measured to take, in proportion.
 [[nodiscard]] std::uint64_t field_memory_bytes(const SiteSet& sites, const VoxelGrid& grid,
                                                const FieldOptions& options);
 

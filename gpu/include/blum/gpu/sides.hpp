@@ -27,7 +27,8 @@ struct FieldSides {
 
 /// Exact for every sample. Two samples of a row are on one side if one of them is farther from the
 /// boundary (certified) than from the other; where that does not hold the exact test decides.
-/// Requires: `field` is the field of all faces of the mesh that the solid was built from.
+/// Requires: `field` is the field of all faces of the mesh that the solid was built from; if it is
+/// an OpenGL backend's, its certificate rests on the driver (FieldBound), and so do the sides.
 [[nodiscard]] FieldSides sides_of(const Solid& solid, const DistanceField& field, int threads);
 /// The same where there may be no solid: then all sides are undefined, for the reason given.
 [[nodiscard]] FieldSides sides_of(const Result<Solid>& solid, const DistanceField& field,

@@ -22,7 +22,7 @@ struct Soup {
   std::vector<std::vector<std::uint32_t>> polygons;    ///< >= 3 corners each
 };
 
-/// All faces of the mesh as polygons.
+/// All faces of the mesh as polygons; where there are none, all points.
 [[nodiscard]] Soup soup_of(PolygonMesh mesh);
 
 inline constexpr SiteId kNoSite{0xffffffffu};
@@ -86,6 +86,10 @@ class SiteSet {
     return s.value < points           ? s.value
            : s.value < points + edges ? s.value - points
                                       : s.value - points - edges;
+  }
+  /// Is there such a site? Not with ids too great, nor points that nothing uses.
+  [[nodiscard]] bool is_site(SiteId s) const {
+    return s.value < size() && (kind(s) != SiteKind::kVertex || is_used(element(s)));
   }
   /// Bounds of the squared distance from q to a closed site, and its foot. A polygon without area
   /// is infinitely far: its sides are sites. Requires |q| <= 2^200 on every axis.
