@@ -5,21 +5,16 @@
 #include <limits>
 #include <span>
 
+#include "blum/kernel/point_algebra.hpp"
+
 namespace blum::detail {
 namespace {
 
 constexpr double kEyeDistance = 2.1;  // diagonals of the box: all of it is before the eye
 constexpr double kFilled = 0.88;      // of the picture's width or height
 
-Point3 plus(const Point3& a, const Point3& b, double t) {
-  return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Point3 unit(const Point3& a) {
-  const double length = std::sqrt(dot(a, a));
+  const double length = std::sqrt(inner(a, a));
   return length > 0 ? Point3{a.x / length, a.y / length, a.z / length} : a;
 }
 
@@ -39,18 +34,18 @@ Projection::Projection(const Scene& scene, const RenderOptions& options)
   for (const Point3& p : scene.model_point) take(p);
   for (const auto& corners : scene.undecided) std::ranges::for_each(corners, take);
 
-  const Point3 extent = plus(box_.hi, box_.lo, -1);
-  size_ = std::sqrt(dot(extent, extent));
+  const Point3 extent = box_.hi - box_.lo;
+  size_ = std::sqrt(inner(extent, extent));
   if (!(size_ > 0)) size_ = 1;
-  const Point3 centre = plus(box_.lo, extent, 0.5);
+  const Point3 centre = box_.lo + 0.5 * extent;
   const double a = options.camera.azimuth_deg * M_PI / 180,
                e = options.camera.elevation_deg * M_PI / 180;
   const Point3 back = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-  eye_ = plus(centre, back, kEyeDistance * size_);
+  eye_ = centre + kEyeDistance * size_ * back;
   forward_ = {-back.x, -back.y, -back.z};
   right_ = {-std::sin(a), std::cos(a), 0};
   up_ = cross(right_, forward_);
-  lamp_ = unit(plus(plus(back, right_, -0.3), up_, 0.5));
+  lamp_ = unit(back + -0.3 * right_ + 0.5 * up_);
   fit(options);
 }
 
@@ -74,11 +69,11 @@ void Projection::fit(const RenderOptions& options) {
 }
 
 RasterVertex Projection::operator()(const Point3& p) const {
-  const Point3 d = plus(p, eye_, -1);
+  const Point3 d = p - eye_;
   RasterVertex v;
-  v.inverse_depth = 1 / dot(d, forward_);
-  v.x = cx_ + scale_ * dot(d, right_) * v.inverse_depth;
-  v.y = cy_ - scale_ * dot(d, up_) * v.inverse_depth;
+  v.inverse_depth = 1 / inner(d, forward_);
+  v.x = cx_ + scale_ * inner(d, right_) * v.inverse_depth;
+  v.y = cy_ - scale_ * inner(d, up_) * v.inverse_depth;
   if (section_) {
     const int k = section_->axis;
     const double level = box_.lo[k] + section_->at * (box_.hi[k] - box_.lo[k]);
@@ -88,8 +83,8 @@ RasterVertex Projection::operator()(const Point3& p) const {
 }
 
 double Projection::light(const Point3& a, const Point3& b, const Point3& c) const {
-  const Point3 n = unit(cross(plus(b, a, -1), plus(c, a, -1)));
-  return 0.5 + 0.5 * std::abs(dot(n, lamp_));
+  const Point3 n = unit(cross(b - a, c - a));
+  return 0.5 + 0.5 * std::abs(inner(n, lamp_));
 }
 
 RasterVertex Projection::nearer(RasterVertex v) const {
