@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/show/vtp_file.hpp"
 
 namespace blum {
@@ -63,12 +64,6 @@ std::vector<std::array<T, N>> tuples(const std::vector<T>& list) {
   return result;
 }
 
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 /// Edges between triangles that make an angle of more than a degree.
 std::vector<std::array<std::uint32_t, 2>> visible_edges(const Scene& scene) {
   const double most = std::cos(M_PI / 180);
@@ -76,14 +71,14 @@ std::vector<std::array<std::uint32_t, 2>> visible_edges(const Scene& scene) {
   std::vector<std::array<std::uint32_t, 2>> visible;
   for (const auto& t : scene.model_triangle) {
     const Point3& a = scene.model_point[t[0]];
-    const Point3 n = cross(minus(scene.model_point[t[1]], a), minus(scene.model_point[t[2]], a));
+    const Point3 n = cross(scene.model_point[t[1]] - a, scene.model_point[t[2]] - a);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = t[k], v = t[(k + 1) % 3];
       const std::array<std::uint32_t, 2> edge{std::min(u, v), std::max(u, v)};
       const auto [other, is_new] = normal_at.emplace(edge, n);
       if (is_new) continue;
-      const double length = std::sqrt(dot(n, n) * dot(other->second, other->second));
-      if (!(dot(n, other->second) >= most * length)) visible.push_back(edge);
+      const double length = std::sqrt(inner(n, n) * inner(other->second, other->second));
+      if (!(inner(n, other->second) >= most * length)) visible.push_back(edge);
     }
   }
   return visible;
@@ -202,55 +197,66 @@ void read_axis(const VtpFile& file, Scene& scene) {
   }
 }
 
-/// Six digits are enough for people.
+/// Six digits are enough of a length, counts are whole.
 std::string shortest(double value) {
+  const bool whole = std::abs(value) < 0x1p53 && value == std::trunc(value);
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.6g", value);
+  std::snprintf(text.data(), text.size(), whole ? "%.0f" : "%.6g", value);
   return text.data();
+}
+
+/// The one number of an array of one, if it is there.
+std::optional<double> single(const VtpFile& file, const char* name) {
+  const VtpArray* array = find(file.field_data, name, 1);
+  if (array == nullptr || array->value.size() != 1) return std::nullopt;
+  return array->value[0];
 }
 
 /// What the file itself says, for people.
 void add_facts(const VtpFile& file, Scene& scene) {
-  if (const VtpArray* certified = find(file.field_data, "certified", 1);
-      certified != nullptr && certified->value.size() == 1) {
-    scene.fact.push_back({"certified", certified->value[0] != 0 ? "yes" : "no"});
+  if (const auto certified = single(file, "certified")) {
+    const bool part = single(file, "pruned").value_or(0) != 0;
+    const char* yes = part ? "from a certified axis" : "yes";
+    scene.fact.push_back({"certified", *certified != 0 ? yes : "no"});
   }
   if (!scene.undecided.empty()) {
     scene.fact.push_back({"undecided cells", std::to_string(scene.undecided.size())});
   }
+  if (const VtpArray* betti = find(file.field_data, "betti", 3);
+      betti != nullptr && betti->value.size() == 3) {
+    const std::vector<double>& b = betti->value;
+    scene.fact.push_back(
+        {"Betti numbers", shortest(b[0]) + ' ' + shortest(b[1]) + ' ' + shortest(b[2])});
+  }
+  for (const auto& [name, title] :
+       {std::pair("sheets", "sheets"), std::pair("seams", "seams"),
+        std::pair("junctions", "junctions"), std::pair("clusters", "clusters"),
+        std::pair("hausdorff_bound", "Hausdorff bound")}) {
+    if (const auto value = single(file, name)) scene.fact.push_back({title, shortest(*value)});
+  }
 }
 
-/// The summary, if it is about the run that wrote the file.
-void add_summary(const VtpFile& file, const fs::path& path, Scene& scene) {
+/// The model's name, which the file does not hold, from the summary of the run that wrote it. That
+/// is any file of that name: values are looked at where they are (copies of deep ones recur).
+void add_title(const VtpFile& file, const fs::path& path, Scene& scene) {
   std::ifstream stream(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
   const Json summary = Json::parse(text, nullptr, false);
-  if (!summary.is_object()) return;
-  const VtpArray* seed = find(file.field_data, "seed", 1);
-  const auto own_seed = summary.value("seed", Json());
-  if (seed == nullptr || seed->value.size() != 1 || !own_seed.is_number() ||
-      own_seed.get<double>() != seed->value[0]) {
-    return;
-  }
-  const Json sites = summary.value("sites", Json::object());
-  if (!sites.is_object() || sites.value("faces", Json()) != Json(scene.site_counts[2])) return;
-  const Json model = summary.value("model", Json());
-  if (model.is_string()) scene.title = fs::path(model.get<std::string>()).filename().string();
-  const Json result = summary.value("result", Json::object());
-  if (!result.is_object()) return;
-  const auto number = [&](const char* key, const char* name) {
-    const Json value = result.value(key, Json());
-    if (value.is_number()) scene.fact.push_back({name, shortest(value.get<double>())});
+  const auto member = [](const Json* object, const char* key) -> const Json* {
+    if (object == nullptr || !object->is_object()) return nullptr;
+    const auto found = object->find(key);
+    return found == object->end() ? nullptr : &*found;
   };
-  if (const Json betti = result.value("betti", Json()); betti.is_array() && betti.size() == 3) {
-    scene.fact.push_back(
-        {"Betti numbers", betti[0].dump() + ' ' + betti[1].dump() + ' ' + betti[2].dump()});
-  }
-  number("sheets", "sheets");
-  number("seams", "seams");
-  number("junctions", "junctions");
-  number("clusters", "clusters");
-  number("hausdorff_bound", "Hausdorff bound");
+  const auto is = [](const Json* value, double number) {
+    return value != nullptr && value->is_number_integer() && value->get<double>() == number;
+  };
+  const VtpArray* seed = find(file.field_data, "seed", 1);
+  if (seed == nullptr || seed->value.size() != 1) return;
+  if (!is(member(&summary, "seed"), seed->value[0])) return;
+  if (!is(member(member(&summary, "sites"), "faces"), scene.site_counts[2])) return;
+  const Json* model = member(&summary, "model");
+  if (model == nullptr || !model->is_string()) return;
+  scene.title = fs::path(model->get_ref<const std::string&>()).filename().string();
 }
 
 fs::path with_suffix(const fs::path& prefix, const char* suffix) {
@@ -279,7 +285,7 @@ Result<Scene> read_scene(const fs::path& result) {
     read_fields(file, scene);
     read_axis(file, scene);
     add_facts(file, scene);
-    add_summary(file, with_suffix(prefix, ".json"), scene);
+    add_title(file, with_suffix(prefix, ".json"), scene);
   } catch (const Malformed& problem) {
     return Error{ErrorCode::kMalformedFile, problem.message, vtp.string(), std::nullopt};
   }
