@@ -162,7 +162,7 @@ TEST_F(SceneTest, BytesChangedAtRandom_NeverCrash) {
 
 std::string nested(const std::string& open, const std::string& middle, const std::string& close) {
   std::string text;
-  constexpr int kDeep = 1000000;
+  constexpr int kDeep = 200000;
   for (int i = 0; i < kDeep; ++i) text += open;
   text += middle;
   for (int i = 0; i < kDeep; ++i) text += close;
