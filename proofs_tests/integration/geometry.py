@@ -2,7 +2,6 @@
 
 import json
 import math
-import unittest
 
 from tool import ToolTest, main
 
