@@ -21,6 +21,7 @@ invariant throws `BrokenInvariant`, a defect of Blum. Nothing prints or exits.
 | `blum::kernel` | `mesh.hpp`, `solid.hpp`, `validate.hpp`, `site_tree.hpp` | read a mesh; validate it exactly; distances |
 | `blum::gpu` | `field.hpp`, `field_io.hpp` | distance fields on grids |
 | `blum::medial` | `medial_axis.hpp`, `parts.hpp`, `simplify.hpp`, `graph.hpp`, `io.hpp` | the axis, its sheets, pruning, files |
+| `blum::placement` | `placement.hpp`, `feet.hpp`, `reconstruction.hpp`, `smooth.hpp` | its points on the exact axis, meshes, the bound; feet |
 | `blum::verify` | `verify.hpp` | certificates |
 | `blum::thickness` | `thickness.hpp`, `midsurface.hpp`, `touching_ball.hpp` | walls |
 | `blum::show` | `scene.hpp`, `page.hpp`, `render.hpp`, `chart.hpp` | read results back; pages and pictures |

@@ -12,7 +12,8 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-TOOL = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "build/release/bin/blum")
+TOOL = pathlib.Path(sys.argv[1] if len(sys.argv) > 1
+                    else HERE.parent / "build/release/bin/blum").resolve()  # runs are in another folder
 
 # Command: what it is for, and examples: what they show, the line, the exit code.
 PAGES = {

@@ -18,16 +18,20 @@ void add_axis_options(CLI::App& command, AxisArguments& arguments) {
   MedialOptions& options = arguments.options;
   command.add_option("MODEL", arguments.model, "OFF, OBJ, STL or PLY")->required();
   command
-      .add_option("--epsilon", arguments.epsilon,
-                  "Refine until the Hausdorff distance to the axis is at most this fraction of\n"
-                  "the diagonal; 0: as coarse as the topology allows")
+      .add_option(
+          "--epsilon", arguments.epsilon,
+          "Divide all leaves that meet the axis down to this fraction of the diagonal, which\n"
+          "then bounds how far the complex is from the axis; 0: as coarse as the topology\n"
+          "allows")
       ->check(CLI::Range(0.0, 1.0))
+      ->check(kNotNan)
       ->capture_default_str();
   command.add_option("--seed", options.seed, "Of the cutting planes, and of samples")
       ->check(kDigits)
       ->capture_default_str();
   command.add_option("--time-limit", options.time_limit_s, "Seconds of computing; 0: no limit")
       ->check(CLI::Range(0.0, 1e9))
+      ->check(kNotNan)
       ->capture_default_str();
   add_threads_option(command, options.threads);
 }

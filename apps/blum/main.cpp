@@ -23,8 +23,9 @@ constexpr const char* kFooter = R"(Examples:
   blum render plate -o plate.png          or as a picture
   blum thickness plate.off                how thick are the walls? where are they thinnest?
 
-Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified (files are written),
-4 false (verify), 5 output could not be written, 70 internal error, 130 and 143 interrupted.)";
+Exit codes: 0 done (medial: certified), 1 usage, 2 input, 3 not certified or --epsilon not reached
+(files are written), 4 false (verify), 5 output could not be written, 70 internal error, 130 and
+143 interrupted.)";
 
 int run(int argc, char** argv) {
   CLI::App app("Blum: certified medial axes of polyhedral solids.", "blum");

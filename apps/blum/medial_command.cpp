@@ -399,7 +399,8 @@ Command add_medial_command(CLI::App& app) {
   medial->footer(
       R"(Writes PREFIX.ma (text), PREFIX.vtp (ParaView) and PREFIX.obj. Cells that the budget
 (--max-depth, --max-cells, --time-limit, --max-memory) leaves undecided are reported and written
-to PREFIX.undecided.vtp as boxes, with exit code 3.
+to PREFIX.undecided.vtp as boxes, with exit code 3. That is the exit code, too, where the bound
+that --epsilon asks for is not reached; the summary says which one is.
 
 Examples:
   blum medial part.stl

@@ -1,5 +1,6 @@
 // `blum render`: a result as a picture.
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -49,7 +50,9 @@ int run_render(RenderArguments arguments) {
     return done.error().code == ErrorCode::kBadArgument ? report_usage(done.error().message)
                                                         : report(done.error());
   }
-  std::cout << done.value().triangles << " triangles\nwrote " << arguments.output << '\n';
+  std::cout << done.value().triangles << " triangles\n"
+            << std::lround(100 * done.value().covered_fraction)
+            << " % of the picture covered\nwrote " << arguments.output << '\n';
   return kSuccess;
 }
 
@@ -76,6 +79,7 @@ Command add_render_command(CLI::App& app) {
       ->capture_default_str();
   render->add_option("--zoom", options.zoom, "2: everything twice as large")
       ->check(CLI::Range(0.01, 1000.0))
+      ->check(kNotNan)
       ->capture_default_str();
   render->add_option("--colour", options.colour,
                      "radius, angle, sheet or thickness: what the file has (default: its first)");

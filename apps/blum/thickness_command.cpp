@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axis_run.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/medial/io.hpp"
 #include "blum/show/chart.hpp"
 #include "blum/thickness/midsurface.hpp"
@@ -61,8 +62,7 @@ double surface_area(const Solid& solid) {
     const Point3 a = solid.frame.to_model(solid.point[t.vertex[0]]),
                  b = solid.frame.to_model(solid.point[t.vertex[1]]),
                  c = solid.frame.to_model(solid.point[t.vertex[2]]);
-    const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
-    sum += std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+    sum += length(cross(b - a, c - a)) / 2;
   }
   return sum;
 }
@@ -161,9 +161,10 @@ int run_midsurface(const MidsurfaceArguments& arguments) {
   if (interrupted_by() != 0) return report_interrupted();
   if (const auto error = write_midsurface(middle, prefix)) return report(*error);
   std::cout << "model      " << arguments.axis.model << '\n'
-            << "axis       " << (run->axis.certified ? "certified" : "NOT certified") << ", "
-            << run->axis.parts.sheets << " sheets, within " << six(run->axis.hausdorff_bound)
-            << '\n'
+            << "axis       "
+            << (run->axis.certified ? "certified within " + six(run->axis.hausdorff_bound)
+                                    : "NOT certified")
+            << ", " << run->axis.parts.sheets << " sheets\n"
             << "midsurface " << middle.sheets << " sheets, " << middle.triangle.size()
             << " triangles, area " << six(middle.area) << "; " << middle.junction_lines
             << " edges where three or more meet\n"

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
-#include "io_formats.hpp"
 #include "blum/kernel/vtk_xml.hpp"
+#include "blum/medial/subcomplex.hpp"
+#include "io_formats.hpp"
 
 namespace blum::detail {
 namespace {
@@ -40,8 +44,46 @@ class VtpWriter {
     solid();
     undecided();
     edges();
-    DataArray<std::uint8_t>(out_, "certified", 1).put(result_.certified && !result_.smoothed ? 1 : 0);
+    DataArray<std::uint8_t>(out_, "certified", 1)
+        .put(result_.certified && !result_.smoothed ? 1 : 0);
     DataArray<std::uint64_t>(out_, "seed", 1).put(result_.seed);
+    shape();
+  }
+
+  /// Sheets keep their numbers when others are left out, and are left out whole; nothing is left
+  /// out unless a sheet is (simplified()).
+  [[nodiscard]] bool is_part() const {
+    std::vector<bool> there(result_.parts.sheets, false);
+    for (const std::uint32_t sheet : result_.parts.triangle_sheet) there[sheet] = true;
+    return std::find(there.begin(), there.end(), false) != there.end();
+  }
+
+  /// Of what is in the file, which the summary of the run need not be about.
+  void shape() {
+    const bool part = is_part();
+    const auto number = [this](const char* name, std::size_t n) {
+      DataArray<Int>(out_, name, 1).put(n);
+    };
+    DataArray<std::uint8_t>(out_, "pruned", 1).put(part ? 1 : 0);
+    if (result_.certified) {
+      DataArray<Int> array(out_, "betti", 1, 3);
+      for (const long b : result_.betti) array.put(b);
+    }
+    if (part) {
+      const ShapeCounts counts = count_shapes(k_);
+      number("sheets", counts.sheets);
+      number("seams", counts.seams);
+      number("junctions", counts.junctions);
+      return;  // clusters are those of the whole, and so is the bound
+    }
+    const Parts& parts = result_.parts;
+    number("sheets", parts.sheets);
+    number("seams", parts.seams);
+    number("junctions", parts.junctions);
+    number("clusters", parts.clusters);
+    if (result_.certified && !result_.smoothed && std::isfinite(result_.hausdorff_bound)) {
+      DataArray<double>(out_, "hausdorff_bound", 1).put(result_.hausdorff_bound);
+    }
   }
 
   void governors() {

@@ -6,8 +6,10 @@
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <utility>
 #include <vector>
 
+#include "ball_tree.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_tree.hpp"
 
@@ -16,29 +18,23 @@ namespace {
 
 constexpr double kRounding = 1e-13;  // working units
 
-struct WorkingBall {
-  Point3 center;
-  double radius = 0;
-};
-
-/// Part of a boundary triangle, with the balls that may be the nearest to a point of it.
+/// Part of a boundary triangle.
 struct Piece {
   std::array<Point3, 3> corner;
-  std::vector<std::uint32_t> ball;
+  std::uint32_t ball = BallTree::kNone;  ///< the nearest to its centre
   double hi = 0;
   friend bool operator<(const Piece& a, const Piece& b) { return a.hi < b.hi; }
 };
 
 class BoundarySide {
  public:
-  BoundarySide(const std::vector<WorkingBall>& balls) : balls_(balls) {}
+  explicit BoundarySide(const BallTree& balls) : balls_(balls) {}
 
   /// Bisects the piece with the largest upper bound until the interval is narrow.
   void run(const Solid& solid, double tolerance, std::size_t most_pieces) {
-    std::vector<std::uint32_t> all(balls_.size());
-    for (std::uint32_t b = 0; b < all.size(); ++b) all[b] = b;
     for (const SolidTriangle& t : solid.triangle)
-      add({solid.point[t.vertex[0]], solid.point[t.vertex[1]], solid.point[t.vertex[2]]}, all);
+      add({solid.point[t.vertex[0]], solid.point[t.vertex[1]], solid.point[t.vertex[2]]},
+          BallTree::kNone);
     for (std::size_t n = 0; n < most_pieces && !heap_.empty(); ++n) {
       if (heap_.top().hi <= lo_ + tolerance) break;
       const Piece piece = heap_.top();
@@ -54,28 +50,17 @@ class BoundarySide {
   [[nodiscard]] double hi() const { return heap_.empty() ? lo_ : std::max(lo_, heap_.top().hi); }
 
  private:
-  void add(const std::array<Point3, 3>& corner, const std::vector<std::uint32_t>& balls) {
+  void add(const std::array<Point3, 3>& corner, std::uint32_t guess) {
     const Point3 center = (1.0 / 3) * (corner[0] + corner[1] + corner[2]);
     double reach = 0;
     for (const Point3& p : corner) reach = std::max(reach, distance_between(center, p));
-    std::vector<double> way;
-    way.reserve(balls.size());
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto b : balls) {
-      way.push_back(distance_between(center, balls_[b].center) - balls_[b].radius);
-      least = std::min(least, way.back());
-    }
-    lo_ = std::max(lo_, least);
-    Piece piece;
-    piece.corner = corner;
-    piece.hi = least + reach + kRounding;
-    if (piece.hi <= lo_) return;
-    for (std::size_t k = 0; k < balls.size(); ++k)
-      if (way[k] <= least + 2 * reach) piece.ball.push_back(balls[k]);
-    heap_.push(std::move(piece));
+    const BallTree::Nearest nearest = balls_.nearest(center, guess);
+    lo_ = std::max(lo_, nearest.way);
+    const double hi = nearest.way + reach + kRounding;
+    if (hi > lo_) heap_.push({corner, nearest.ball, hi});
   }
 
-  const std::vector<WorkingBall>& balls_;
+  const BallTree& balls_;
   std::priority_queue<Piece> heap_;
   double lo_ = 0;
 };
@@ -99,34 +84,28 @@ ReconstructionError reconstruction_error(const Solid& solid, const CellComplex& 
   error.balls = balls.size();
   if (balls.empty()) return error;
 
-  BoundarySide side(balls);
+  const BallTree tree(std::move(balls));
+  BoundarySide side(tree);
   side.run(solid, options.tolerance * diameter(bounds_of(solid.point)), options.most_pieces);
   error.boundary_to_union_lo = frame.length_to_model(side.lo());
   error.boundary_to_union_hi = frame.length_to_model(side.hi());
 
-  const SiteTree tree(solid);
-  const std::size_t each = std::clamp<std::size_t>(options.samples / balls.size(), 8, 2000);
+  const SiteTree boundary(solid);
+  const std::size_t each = std::clamp<std::size_t>(options.samples / error.balls, 8, 2000);
   double most = 0;
-  std::vector<std::uint32_t> touching;
-  for (std::size_t b = 0; b < balls.size(); ++b) {
-    const WorkingBall& ball = balls[b];
+  for (std::uint32_t b = 0; b < error.balls; ++b) {
+    const WorkingBall& ball = tree.balls()[b];
     if (!(ball.radius > 0)) continue;
-    touching.clear();
-    for (std::uint32_t o = 0; o < balls.size(); ++o)
-      if (o != b && distance_between(ball.center, balls[o].center) < ball.radius + balls[o].radius)
-        touching.push_back(o);
+    std::uint32_t cover = BallTree::kNone;  // the next sample is near
     for (std::size_t k = 0; k < each; ++k) {
       const Point3 x = ball.center + ball.radius * direction(k, each);
-      const auto covers = [&](std::uint32_t o) {
-        return distance_between(x, balls[o].center) < balls[o].radius - kRounding;
-      };
-      const auto it = std::find_if(touching.begin(), touching.end(), covers);
-      if (it != touching.end()) {
-        std::swap(*it, touching.front());  // the next sample is near
+      if (const auto other = tree.any_nearer_than(x, -kRounding, b, cover);
+          other != BallTree::kNone) {
+        cover = other;
         continue;
       }
       ++error.border_samples;
-      most = std::max(most, std::sqrt(tree.squared_distance(x).lo));
+      most = std::max(most, std::sqrt(boundary.squared_distance(x).lo));
     }
   }
   error.union_to_boundary_sampled = frame.length_to_model(most);

@@ -24,7 +24,7 @@ import time
 import table
 from families import FAMILIES, generate
 from mesh import Mesh, betti_numbers
-from runner import CERTIFIED, DEFECTS, Limits, OUTCOMES, REFUSED, Runner
+from runner import CERTIFIED, Limits, OUTCOMES, Runner, is_defect
 from shrink import Shrinker
 from store import Store, model_text
 
@@ -96,13 +96,13 @@ def run(arguments):
                 pending.discard(future)
                 row, mesh = future.result()
                 row.update(commit_id=commit, limits=limits.text())
-                identifier = store.add(row, mesh if row["outcome"] != CERTIFIED else None)
+                notable = row["outcome"] != CERTIFIED or is_defect(row)
+                identifier = store.add(row, mesh if notable else None)
                 finished += 1
-                defects += row["outcome"] in DEFECTS or row.get("certificate") == REFUSED
-                if row["outcome"] != CERTIFIED or arguments.verbose:
-                    print(f"{identifier}: {row['family']} {row['seed']}: {row['outcome']} "
-                          f"{row['reason']} ({row['faces']} faces, {row['time_s']:.1f} s)",
-                          flush=True)
+                defects += is_defect(row)
+                if notable or arguments.verbose:
+                    print(f"{identifier}: {row['family']} {row['seed']}: {ending_text(row)} "
+                          f"({row['faces']} faces, {row['time_s']:.1f} s)", flush=True)
                 submit()
     except KeyboardInterrupt:
         runner.stop()
@@ -114,6 +114,25 @@ def run(arguments):
         store.close()
     print(f"{finished} runs in {time.monotonic() - start:.0f} s, {defects} defects")
     return DEFECT_FOUND if defects else 0
+
+
+def ending(row):
+    """What a run has to have in common with another that ends as it does."""
+    said = (row["certificate"], row["statement"]) if is_defect(row) and row["certificate"] else None
+    return row["outcome"], row["reason"], said
+
+
+def ending_text(row):
+    text = f"{row['outcome']} {row['reason']}".strip()
+    return text + (f", certificate {row['certificate']}: {row['statement']}"
+                   if is_defect(row) and row["certificate"] else "")
+
+
+def run_again(runner, mesh, row, arguments):
+    """With the checks that the recorded run had, and those asked for."""
+    return runner.run(mesh, betti_numbers(mesh), json.loads(row["parameters"])["blum_seed"],
+                      arguments.check_axis > 0 or row["axis_checked"] is not None,
+                      arguments.verify > 0 or row["certificate_s"] is not None)
 
 
 def stop_on_signals():
@@ -139,7 +158,7 @@ def print_table(arguments):
 
 def print_list(arguments):
     for row in selected(arguments):
-        print(f"{row['id']}: {row['family']} {row['seed']}: {row['outcome']} {row['reason']}; "
+        print(f"{row['id']}: {row['family']} {row['seed']}: {ending_text(row)}; "
               f"{row['faces']} faces, {row['sites']} sites, {row['time_s']:.1f} s, "
               f"{row['undecided_cells']} cells undecided; {row['parameters']}")
 
@@ -159,14 +178,12 @@ def recorded(arguments):
 def replay(arguments):
     row, mesh = recorded(arguments)
     runner = Runner(arguments.tool, limits_of(arguments))
-    seed = json.loads(row["parameters"])["blum_seed"]
-    new = runner.run(mesh, betti_numbers(mesh), seed, arguments.check_axis > 0,
-                     arguments.verify > 0)
+    new = run_again(runner, mesh, row, arguments)
     before = {name: row[name] for name in row.keys() if name not in ("model", "id")}
     for name, value in new.items():
         print(f"{name:15} {value}" + ("" if name not in before or encoded(value) == before[name]
                                       else f"    was {before[name]}"))
-    return DEFECT_FOUND if new["outcome"] in DEFECTS else 0
+    return DEFECT_FOUND if is_defect(new) else 0
 
 
 def encoded(value):
@@ -187,15 +204,13 @@ def shrink(arguments):
     def fails(candidate):
         nonlocal tries
         tries += 1
-        new = runner.run(candidate, betti_numbers(candidate), seed, wanted[1].startswith("axis"))
-        return (new["outcome"], new["reason"]) == wanted
+        return ending(run_again(runner, candidate, row, arguments)) == ending(row)
 
-    wanted = row["outcome"], row["reason"]
     if not fails(mesh):
-        sys.exit(f"does not end as '{' '.join(wanted)}' any more (with these limits)")
+        sys.exit(f"does not end as '{ending_text(row)}' any more (with these limits)")
     small = Shrinker(fails, lambda: time.monotonic() < end).shrink(mesh)
     pathlib.Path(arguments.output).write_text(small.off())
-    print(f"{' '.join(wanted)}: {len(mesh.faces)} faces, now {len(small.faces)}; {tries} tries; "
+    print(f"{ending_text(row)}: {len(mesh.faces)} faces, now {len(small.faces)}; {tries} tries; "
           f"--seed {seed}")
 
 

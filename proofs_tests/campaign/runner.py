@@ -25,6 +25,12 @@ DEFECTS = [WRONG, CRASH, KILLED]
 # What `blum verify` says of the certificate of a run that is certified.
 VERIFIED, INCOMPLETE, REFUSED = "verified", "incomplete", "refused"
 
+def is_defect(row):
+    """Of a recorded run or one just made: a wrong answer, a crash, a run that did not end, or a
+    certificate that is not true."""
+    return row["outcome"] in DEFECTS or row["certificate"] == REFUSED
+
+
 CHECK_RADIUS = pathlib.Path(__file__).resolve().parent.parent / "integration" / "check_radius.py"
 
 
@@ -73,7 +79,7 @@ class Runner:
     def run(self, mesh, expected, blum_seed=1, check_axis=False, verify=False):
         """A dictionary of what store.py keeps, or None if stopped."""
         row = {"betti_expected": expected, "vertices": len(mesh.points), "faces": len(mesh.faces),
-               "model_hash": self.hash_of(mesh)}
+               "model_hash": self.hash_of(mesh), "certificate": None}
         with tempfile.TemporaryDirectory(prefix="blum-campaign-") as name:
             folder = pathlib.Path(name)
             (folder / "model.off").write_text(mesh.off())
@@ -101,15 +107,18 @@ class Runner:
         return row
 
     def _verify(self, folder, blum_seed):
-        """Of a run of its own: one that writes a certificate decides by simpler rules."""
+        """Of a run of its own: one that writes a certificate decides without cutting planes (`blum
+        verify` follows none), so it may need more cells, or end undecided where the first did not."""
         made = self._call(folder, [
             self.tool, "medial", "model.off", "-o", "y", "--certificate", "y.cert", "--threads",
             "1", "--seed", str(blum_seed), *self.limits.arguments()])
         if made is None:
             return None
         row = {"certificate_s": made["time_s"]}
+        if made["late"]:
+            return {**row, "outcome": KILLED, "reason": f"--certificate: {not_ended(made)}"}
         if made["exit_code"] == 3:
-            return {**row, "certificate": INCOMPLETE, "statement": "undecided without fans and planes"}
+            return {**row, "certificate": INCOMPLETE, "statement": "undecided without cutting planes"}
         if made["exit_code"] != 0:
             return {**row, "outcome": CRASH, "reason": f"--certificate: {how(made)}"}
         row["certificate_bytes"] = (folder / "y.cert").stat().st_size
@@ -117,7 +126,7 @@ class Runner:
         if checked is None:
             return None
         row["verify_s"] = checked["time_s"]
-        if checked["late"]:
+        if checked["late"]:  # it has no limit of its own to keep
             return {**row, "certificate": INCOMPLETE, "statement": "not verified in time"}
         if checked["exit_code"] == 0:
             return {**row, "certificate": VERIFIED}
@@ -172,8 +181,12 @@ class Runner:
 def how(ended):
     """A run ended that should have ended otherwise."""
     if ended["signal"] is not None:
-        return "late" if ended["late"] else signal.Signals(ended["signal"]).name
+        return signal.Signals(ended["signal"]).name
     return f"exit code {ended['exit_code']}"
+
+
+def not_ended(ended):
+    return f"not ended after {ended['time_s']:.0f} s"
 
 
 def from_summary(summary):
@@ -191,9 +204,9 @@ def judge(row, summary):
     """(outcome, reason) of a row and the summary that was written, if any."""
     code = row["exit_code"]
     if row["late"]:
-        return KILLED, f"not ended after {row['time_s']:.0f} s"
+        return KILLED, not_ended(row)
     if row["signal"] is not None:
-        return CRASH, signal.Signals(row["signal"]).name
+        return CRASH, how(row)
     lines = row["stderr"].strip().splitlines()
     if code == 2:
         kinds = re.findall(r"^  error: \d+ (\w+)", row["stderr"], re.MULTILINE)

@@ -26,6 +26,11 @@ class Store:
         with self.base:
             self.base.execute(f"CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, {columns}, "
                               "UNIQUE (family, seed, commit_id, limits))")
+            # A file of an older version; what is new is unknown of its runs.
+            there = {row["name"] for row in self.base.execute("PRAGMA table_info(run)")}
+            for name, kind in COLUMNS.items():
+                if name not in there:
+                    self.base.execute(f"ALTER TABLE run ADD COLUMN {name} {kind}")
 
     def close(self):
         self.base.close()

@@ -24,11 +24,19 @@ from voxels import of_pattern, unit_planes  # noqa: E402
 LIAR = """#!{python}
 import json, os, pathlib, signal, subprocess, sys, time
 what = {what!r}
-if what == "hangs":
+asks_for_certificate = "--certificate" in sys.argv
+if what == "hangs" or what == "certificate hangs" and asks_for_certificate:
     time.sleep(600)
+if what == "refuses" and sys.argv[1] == "verify":
+    print("FALSE      a lie about cell 17")
+    sys.exit(4)
+if what == "certificate undecided" and asks_for_certificate:
+    sys.exit(3)
 ended = subprocess.run([{tool!r}, *sys.argv[1:]], stdout=subprocess.DEVNULL)
-path = pathlib.Path(sys.argv[sys.argv.index("--summary") + 1])
-if path.is_file():
+path = None
+if "--summary" in sys.argv:
+    path = pathlib.Path(sys.argv[sys.argv.index("--summary") + 1])
+if path and path.is_file():
     summary = json.loads(path.read_text())
     if what == "wrong axis":
         summary["result"]["betti"][1] += 1
@@ -133,6 +141,53 @@ class Campaign(ToolTest):
                 found = self.runs("outcome, reason")[-1]
                 self.assertEqual(found[0], outcome)
                 self.assertTrue(found[1].startswith(reason), found)
+
+    def test_certificates(self):
+        arguments = ["--count", "2", "--families", "boxes", "--verify", "1", "--time-limit", "5"]
+        self.expect(self.campaign("run", *arguments), 0)
+        self.assertEqual(self.runs("outcome, certificate"), [("certified", "verified")] * 2)
+        self.assertIn(" 2 of 2 ", self.campaign("table").stdout)
+
+        liar = self.liar("refuses")
+        result = self.campaign("run", *arguments, "--commit", "refuses", tool=liar)
+        self.expect(result, 3)
+        self.assertIn("certificate refused: a lie about cell #", result.stdout)
+        refused = self.runs("id, outcome, certificate, statement, model")[-1]
+        self.assertEqual(refused[1:4], ("certified", "refused", "a lie about cell #"))
+        self.assertIsNotNone(refused[4], "the model of a defect is kept")
+        # As it was recorded, so with the certificate.
+        self.expect(self.campaign("replay", refused[0], tool=liar), 3)
+        self.expect(self.campaign("replay", refused[0]), 0)
+        shrunk = self.campaign("shrink", refused[0], "-o", "small.off", "--seconds", "2", tool=liar)
+        self.expect(shrunk, 0)
+        self.assertIn("certificate refused", shrunk.stdout)
+        self.assertNotEqual(
+            self.campaign("shrink", refused[0], "-o", "small.off").returncode, 0)
+
+        for what, code, found in [
+            ("certificate hangs", 3, ("killed", None, None)),
+            ("certificate undecided", 0,
+             ("certified", "incomplete", "undecided without cutting planes")),
+        ]:
+            with self.subTest(what):
+                result = self.campaign("run", "--count", "1", "--families", "boxes", "--verify",
+                                       "1", "--time-limit", "1", "--grace", "2", "--commit", what,
+                                       tool=self.liar(what))
+                self.expect(result, code)
+                self.assertEqual(self.runs("outcome, certificate, statement")[-1], found)
+
+    def test_a_record_of_an_older_version(self):
+        self.expect(self.campaign("run", "--count", "1", "--families", "boxes"), 0)
+        base = sqlite3.connect(self.folder / "runs.db")
+        with base:
+            for column in ("certificate", "statement", "certificate_s", "verify_s",
+                           "certificate_bytes"):
+                base.execute(f"ALTER TABLE run DROP COLUMN {column}")
+        base.close()
+        self.expect(self.campaign("table"), 0)
+        self.expect(self.campaign("run", "--count", "2", "--families", "boxes", "--verify", "1",
+                                  "--commit", "new"), 0)
+        self.assertEqual(self.runs("certificate"), [(None,), ("verified",), ("verified",)])
 
     def test_replay_and_shrink(self):
         liar = self.liar("wrong or not")

@@ -2,9 +2,9 @@
 
 import json
 import math
-import unittest
 
 from tool import ToolTest, main
+from vtp import arrays
 
 
 class Geometry(ToolTest):
@@ -73,6 +73,9 @@ class Geometry(ToolTest):
         summary = self.summary("--edge-length", "0.05", "--smooth")
         self.assertIs(summary["result"]["certified"], True)
         self.assertIn("largest_displacement", summary["smooth"])
+        self.assertEqual(arrays(self.folder / "x.vtp")["FieldData/certified"], [0])
+        self.summary("--edge-length", "0.05")
+        self.assertEqual(arrays(self.folder / "x.vtp")["FieldData/certified"], [1])
         result = self.blum("medial", "box.off", "--smooth", "--certificate", "x.cert")
         self.expect(result, 1)
         self.assertFalse((self.folder / "x.cert").exists())
@@ -93,6 +96,33 @@ class Geometry(ToolTest):
         for name in [b"axis_point", b"axis_triangle", b"side", b"sheet", b"element",
                      b"element_kind"]:
             self.assertEqual(feet.count(b'Name="' + name + b'"'), 1, name)
+
+    def test_from_a_face_to_the_axis_and_back(self):
+        self.summary("--epsilon", "0.05", "--feet")
+        feet, axis = (arrays(self.folder / name) for name in ["x.feet.vtp", "x.vtp"])
+        patches = list(zip(feet["CellData/element_kind"], feet["CellData/element"],
+                           feet["CellData/axis_triangle"], feet["CellData/side"]))
+        of_triangle, of_face = {}, {}
+        for kind, element, triangle, side in patches:
+            of_triangle.setdefault(triangle, {})[side] = (kind, element)
+            if kind == 2:
+                of_face.setdefault(element, set()).add(triangle)
+        self.assertEqual(sorted(of_triangle), list(range(len(axis["Polys/offsets"]))))
+        self.assertEqual(sorted(of_face), list(range(axis["FieldData/site_counts"][2])))
+        lines = len(axis["Lines/offsets"])
+        vertices, edges, _ = axis["FieldData/site_counts"]
+        for face, triangles in of_face.items():
+            for triangle in triangles:
+                sides = of_triangle[triangle]
+                self.assertEqual(sorted(sides), [0, 1])
+                self.assertIn((2, face), sides.values())
+                # Its governors are the two sides', or others of the same sides.
+                governors = {axis[f"CellData/governor_{k}"][lines + triangle] for k in "ab"}
+                self.assertEqual(len(governors), 2)
+        shared = sum({vertices + edges + e for k, e in sides.values() if k == 2} ==
+                     {axis[f"CellData/governor_{k}"][lines + t] for k in "ab"}
+                     for t, sides in of_triangle.items())
+        self.assertGreater(shared, len(of_triangle) / 2)
 
     def test_certificates_of_refined_results_verify(self):
         self.summary("--epsilon", "0.05", "--certificate", "x.cert")

@@ -1,7 +1,6 @@
 """`blum medial --hints`: the same axis with hints of any kind, and with none."""
 
 import re
-import unittest
 
 from tool import ToolTest, main
 

@@ -9,7 +9,6 @@ import re
 import shutil
 import subprocess
 import sys
-import unittest
 
 from tool import BUILD, SKIPPED, SOURCE, ToolTest, main
 from vtp import arrays
@@ -106,7 +105,34 @@ class Page(ToolTest):
         radii = [file["PointData/radius"][p] for p in corner]
         self.assertGreaterEqual(float(facts["radius"]), min(radii) - 1e-4)
         self.assertLessEqual(float(facts["radius"]), max(radii) + 1e-4)
+        self.in_box_of(corner, file, facts)
         self.assertFalse(seen["pickedBackground"])
+
+    def in_box_of(self, corners, file, facts):
+        """The picked point is where the triangle is, up to the digits of a float."""
+        points = file[next(name for name in file if name.startswith("Points/"))]
+        size = max(points) - min(points)
+        for k, value in enumerate(facts["at"].split(", ")):
+            values = [points[3 * p + k] for p in corners]
+            self.assertGreaterEqual(float(value), min(values) - 1e-4 * size)
+            self.assertLessEqual(float(value), max(values) + 1e-4 * size)
+
+    def test_huge_and_tiny_models(self):
+        for power in ["45", "-45"]:
+            with self.subTest(power):
+                sides = [f"{n}e{power}" for n in (4, 3, 1)]
+                self.expect(self.blum("make", "cuboid", *sides, "-o", "box.off"), 0)
+                self.expect(self.blum("medial", "box.off", "--angles", "-o", "box"), 0)
+                self.expect(self.blum("view", "box", "-o", "box.html"), 0)
+                seen = self.drive(self.folder / "box.html", 0)
+                self.assertEqual(seen["problems"], [])
+                self.assertGreater(seen["first"]["covered"], 0.1)
+                file, facts = arrays(self.folder / "box.vtp"), seen["picked"]["facts"]
+                number = int(seen["picked"]["title"].split()[1])
+                corners = file["Polys/connectivity"][3 * number:3 * number + 3]
+                self.in_box_of(corners, file, facts)
+                self.assertLessEqual(0, float(facts["radius"]))
+                self.assertLessEqual(float(facts["radius"]), max(file["PointData/radius"]) * 1.001)
 
     def test_what_is_undecided(self):
         self.expect(self.blum("make", "cuboid", "4", "3", "1", "-o", "box.off"), 0)

@@ -1,6 +1,6 @@
 """`blum render`: pictures show what they should, and depend on nothing that they should not."""
 
-import unittest
+import math
 
 from png import pixels
 from tool import ToolTest, main
@@ -29,11 +29,15 @@ class Render(ToolTest):
         return sum(pixel != WHITE for pixel in flat), len(set(flat))
 
     def test_a_picture_is_not_background_only(self):
-        self.render("a.png")
+        said = self.render("a.png")[0]
         covered, colours = self.covered("a.png")
+        share = int(said.splitlines()[1].split(" % of the picture covered")[0])
+        self.assertLessEqual(share, math.ceil(100 * covered / (120 * 90)) + 1)  # of pixels, in part
+        self.assertGreater(share, 0.7 * 100 * covered / (120 * 90))
         self.assertGreater(covered, 120 * 90 / 5)
         self.assertGreater(colours, 200)
-        self.render("b.png", "--no-model", "--no-sheets", "--no-seams", "--no-rims")
+        said = self.render("b.png", "--no-model", "--no-sheets", "--no-seams", "--no-rims")[0]
+        self.assertEqual(said.splitlines()[1], "0 % of the picture covered")
         self.assertEqual(self.covered("b.png"), (0, 1))
 
     def test_equal_on_any_number_of_threads(self):
@@ -79,6 +83,11 @@ class Render(ToolTest):
                               (["plate", "-o", "x.png", "--section", "w"], 1),
                               (["plate", "-o", "x.png", "--section", "x:2"], 1),
                               (["plate", "-o", "x.png", "--section", "x:a"], 1),
+                              (["plate", "-o", "x.png", "--section", "x:nan"], 1),
+                              (["plate", "-o", "x.png", "--theta", "nan"], 1),
+                              (["plate", "-o", "x.png", "--zoom", "nan"], 1),
+                              (["plate", "-o", "x.png", "--azimuth", "nan"], 1),
+                              (["plate", "-o", "x.png", "--elevation", "nan"], 1),
                               (["plate", "-o", "x.png", "--width", "0"], 1),
                               (["plate", "-o", "missing/x.png"], 5), (["plate"], 1)]:
             with self.subTest(options):

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import unittest
 
 from tool import ToolTest, main
 

@@ -4,7 +4,6 @@ import csv
 import math
 import re
 import struct
-import unittest
 
 from png import pixels
 from tool import ToolTest, main
@@ -60,8 +59,30 @@ class Thickness(ToolTest):
                               (["--theta", "181"], 1), (["-o", "missing/t"], 5)]:
             with self.subTest(options):
                 self.expect(self.blum("thickness", "box.off", *options), code)
+        common = ["--epsilon", "--time-limit"]
+        for command, names in [("thickness", ["--density", "--theta", *common]),
+                               ("midsurface", ["--opposite", "--max-thickness", *common])]:
+            for name in names:
+                with self.subTest(f"{command} {name} nan"):
+                    self.expect(self.blum(command, "box.off", name, "nan"), 1)
         self.expect(self.blum("thickness", "missing.off"), 2)
         self.assertEqual(self.names(), ["box.off"])
+
+    def test_the_model_is_not_overwritten(self):
+        counts, *rest = (self.folder / "box.off").read_text().split("\n", 2)[1:]
+        points, faces, _ = counts.split()
+        head = (f"ply\nformat ascii 1.0\nelement vertex {points}\n"
+                "property double x\nproperty double y\nproperty double z\n"
+                f"element face {faces}\nproperty list uchar int vertex_indices\nend_header\n")
+        model = self.file("wall.ply", head + rest[0])
+        before = model.read_bytes()
+        for command, *options in [["thickness", "--density", "5"], ["midsurface", "--epsilon", "0.2"]]:
+            self.expect(self.blum(command, "wall.ply", *options, "-o", "wall"), 1)
+            self.assertEqual(model.read_bytes(), before)
+            self.assertEqual(self.names(), ["box.off", "wall.ply"])
+            self.expect(self.blum(command, "wall.ply", *options, "-o", "other"), 0)
+            for path in self.folder.glob("other.*"):
+                path.unlink()
 
     def test_a_midsurface(self):
         result = self.blum("midsurface", "box.off", "--epsilon", "0.1", "-o", "m")

@@ -224,6 +224,55 @@ TEST_F(IoTest, Vtp_ReadsBackBitIdentical) {
   EXPECT_EQ(values<std::int64_t>(arrays.at("governor_b")), (Ints{9, 9, 9, -1, -1, 9, 9, 9}));
 }
 
+TEST_F(IoTest, Vtp_SaysWhatItHolds) {
+  MedialResult r = seam_result();
+  r.betti = {1, 2, 0};
+  r.hausdorff_bound = 0.1;
+  r.parts.junctions = 4;
+  r.parts.clusters = 5;
+  const auto arrays_of = [&] {
+    EXPECT_FALSE(write_vtp(r, tetrahedron(), directory_ / "x.vtp"));
+    return vtp_arrays(content(directory_ / "x.vtp"));
+  };
+  const auto number = [](const auto& arrays, const char* name) {
+    return values<std::int64_t>(arrays.at(name)).at(0);
+  };
+  using Ints = std::vector<std::int64_t>;
+  auto arrays = arrays_of();
+  EXPECT_EQ(values<std::uint8_t>(arrays.at("pruned")), std::vector<std::uint8_t>{0});
+  EXPECT_EQ(values<std::int64_t>(arrays.at("betti")), (Ints{1, 2, 0}));
+  EXPECT_EQ(number(arrays, "sheets"), 3);
+  EXPECT_EQ(number(arrays, "seams"), 1);
+  EXPECT_EQ(number(arrays, "junctions"), 4);
+  EXPECT_EQ(number(arrays, "clusters"), 5);
+  EXPECT_EQ(values<double>(arrays.at("hausdorff_bound")), std::vector<double>{0.1});
+
+  r.smoothed = true;
+  arrays = arrays_of();
+  EXPECT_FALSE(arrays.contains("hausdorff_bound"));
+  EXPECT_EQ(number(arrays, "sheets"), 3);
+  r.smoothed = false;
+  r.hausdorff_bound = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(arrays_of().contains("hausdorff_bound"));
+  r.hausdorff_bound = 0.1;
+  r.certified = false;
+  arrays = arrays_of();
+  EXPECT_FALSE(arrays.contains("hausdorff_bound"));
+  EXPECT_FALSE(arrays.contains("betti"));
+
+  // A sheet less, as simplified() leaves it: the two that are left are one.
+  r.certified = true;
+  r.complex.triangle.pop_back();
+  r.parts.triangle_sheet.pop_back();
+  arrays = arrays_of();
+  EXPECT_EQ(values<std::uint8_t>(arrays.at("pruned")), std::vector<std::uint8_t>{1});
+  EXPECT_EQ(values<std::uint8_t>(arrays.at("certified")), std::vector<std::uint8_t>{1});
+  EXPECT_EQ(number(arrays, "sheets"), 1);
+  EXPECT_EQ(number(arrays, "seams"), 0);
+  EXPECT_FALSE(arrays.contains("clusters"));
+  EXPECT_FALSE(arrays.contains("hausdorff_bound"));
+}
+
 TEST_F(IoTest, Vtp_OfAnEmptyResult_IsWellFormed) {
   ASSERT_FALSE(write_vtp(MedialResult{}, Solid{}, directory_ / "x.vtp"));
   const auto arrays = vtp_arrays(content(directory_ / "x.vtp"));

@@ -45,6 +45,10 @@ class SceneTest : public testing::Test {
     std::ifstream in(vtp(), std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
+  /// The summary beside it; a foreign file may have its name.
+  void put_json(const std::string& text) const {
+    std::ofstream(folder_ / "x.json", std::ios::binary) << text;
+  }
   void put(const std::string& text) const { std::ofstream(vtp(), std::ios::binary) << text; }
 
  private:
@@ -74,8 +78,47 @@ TEST_F(SceneTest, FileOfAnAxis_ReadsBackAsItIs) {
       EXPECT_EQ(scene.triangle_governor[t][k], axis.complex.triangle[t].governors[k].value);
     }
   }
-  // The by name: the file itself serves as well.
+  // By its own name, too.
   EXPECT_TRUE(read_scene(vtp()).ok());
+}
+
+TEST_F(SceneTest, Facts_AreThoseOfTheFile) {
+  const auto fact = [this](const std::string& name) {
+    const Scene scene = read_scene(prefix()).value();
+    for (const auto& [key, value] : scene.fact)
+      if (key == name) return value;
+    return std::string("none");
+  };
+  const Solid solid = test::solid_of(shapes::lbracket());
+  MedialResult axis = write(shapes::lbracket());
+  EXPECT_EQ(fact("certified"), "yes");
+  EXPECT_EQ(fact("Betti numbers"), "1 0 0");
+  EXPECT_EQ(fact("sheets"), std::to_string(axis.parts.sheets));
+  EXPECT_EQ(fact("clusters"), std::to_string(axis.parts.clusters));
+  EXPECT_NE(fact("Hausdorff bound"), "none");
+  // A summary of the whole axis beside what is left of it.
+  put_json(R"({"seed": 1, "sites": {"faces": )" + std::to_string(solid.triangle.size()) +
+           R"(}, "model": "l.off", "result": {"betti": [7, 7, 7], "sheets": 77}})");
+  for (const Simplify how : {Simplify::kHomotopy, Simplify::kSubset}) {
+    const MedialResult part = simplified(axis, 100, how);
+    ASSERT_LT(part.complex.triangle.size(), axis.complex.triangle.size());
+    ASSERT_FALSE(write_medial(part, solid, prefix()).has_value());
+    EXPECT_EQ(fact("certified"), "from a certified axis");
+    EXPECT_EQ(fact("Betti numbers"), std::to_string(part.betti[0]) + ' ' +
+                                         std::to_string(part.betti[1]) + ' ' +
+                                         std::to_string(part.betti[2]));
+    EXPECT_EQ(fact("sheets"), std::to_string(count_shapes(part.complex).sheets));
+    EXPECT_EQ(fact("clusters"), "none");
+    EXPECT_EQ(fact("Hausdorff bound"), "none");
+  }
+  // An angle that leaves out nothing.
+  ASSERT_FALSE(write_medial(simplified(axis, 0, Simplify::kHomotopy), solid, prefix()).has_value());
+  EXPECT_EQ(fact("certified"), "yes");
+  EXPECT_NE(fact("Hausdorff bound"), "none");
+  axis.smoothed = true;
+  ASSERT_FALSE(write_medial(axis, solid, prefix()).has_value());
+  EXPECT_EQ(fact("certified"), "no");
+  EXPECT_EQ(fact("Hausdorff bound"), "none");
 }
 
 TEST_F(SceneTest, EveryTheta_SeenAreTheTrianglesOfTheSimplifiedAxis) {
@@ -115,6 +158,49 @@ TEST_F(SceneTest, BytesChangedAtRandom_NeverCrash) {
     if (read) (void)visible_cells(read.value(), 60);
   }
   EXPECT_GT(refused, 25);
+}
+
+std::string nested(const std::string& open, const std::string& middle, const std::string& close) {
+  std::string text;
+  constexpr int kDeep = 200000;
+  for (int i = 0; i < kDeep; ++i) text += open;
+  text += middle;
+  for (int i = 0; i < kDeep; ++i) text += close;
+  return text;
+}
+
+TEST_F(SceneTest, SummaryOfTheRun_GivesTheModelsName) {
+  const MedialResult axis = write(shapes::cuboid(1, 2, 3));
+  const std::string faces = std::to_string(read_scene(prefix()).value().site_counts[2]);
+  const std::string seed = std::to_string(axis.seed);
+  EXPECT_EQ(read_scene(prefix()).value().title, "x");
+  put_json(R"({"model": "some/box.off", "seed": )" + seed + R"(, "sites": {"faces": )" + faces +
+           "}}");
+  EXPECT_EQ(read_scene(prefix()).value().title, "box.off");
+  put_json(R"({"model": "some/box.off", "seed": )" + seed + R"(, "sites": {"faces": 13}})");
+  EXPECT_EQ(read_scene(prefix()).value().title, "x");
+}
+
+TEST_F(SceneTest, ForeignSummary_IsLeftAlone) {
+  const MedialResult axis = write(shapes::cuboid(1, 2, 3));
+  const std::string faces = std::to_string(read_scene(prefix()).value().site_counts[2]);
+  const std::string head =
+      "{\"seed\": " + std::to_string(axis.seed) + ", \"sites\": {\"faces\": " + faces + "}, ";
+  const std::string deep = nested("[", "", "]"), deep_objects = nested("{\"a\":", "1", "}");
+  for (const std::string& text :
+       {std::string(), std::string("[]"), std::string("{\"seed\": \"1\"}"),
+        std::string("{\"seed\": 1.5, \"sites\": 3}"), head + "\"model\": 3}",
+        head + "\"model\": " + deep + "}",
+        head + "\"result\": {\"betti\": [" + deep + "," + deep_objects + ",1]}}",
+        head + "\"result\": {\"betti\": {\"b\": 1}, \"sheets\": [1]}}",
+        "{\"seed\": " + deep + ", \"sites\": " + deep_objects + "}",
+        "{\"seed\": 1, \"sites\": " + deep_objects + "}", deep, deep_objects, nested("[", "", ""),
+        nested("{\"a\":", "", "")}) {
+    put_json(text);
+    const Result<Scene> read = read_scene(prefix());
+    ASSERT_TRUE(read.ok()) << text.substr(0, 80);
+    EXPECT_EQ(read.value().title, "x") << text.substr(0, 80);
+  }
 }
 
 TEST_F(SceneTest, AbsentOrForeign_SaysSo) {

@@ -50,6 +50,7 @@ std::span<const Colour> colour_stops() {
 
 Colour colour_of(double t) {
   const std::span<const Colour> stops = colour_stops();
+  if (std::isnan(t)) return kGrey;
   const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(x), stops.size() - 2);
   Colour c;
@@ -67,8 +68,8 @@ std::span<const Colour> label_colours() {
 }
 
 Colour label_colour(double label) {
-  if (!(label >= 0)) return kGrey;
-  return label_colours()[static_cast<std::size_t>(label) % kLabels];
+  if (!(label >= 0) || std::isinf(label)) return kGrey;
+  return label_colours()[static_cast<std::size_t>(std::fmod(label, kLabels))];
 }
 
 ValueRange range_of(const ScalarField& field) {
@@ -76,6 +77,7 @@ ValueRange range_of(const ScalarField& field) {
   ValueRange range{std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
   for (const double v : field.value) {
+    if (!std::isfinite(v)) continue;
     if (v < range.least) range.least = v;
     if (v > range.most) range.most = v;
   }
@@ -84,7 +86,7 @@ ValueRange range_of(const ScalarField& field) {
 
 Colour colour_in(const ScalarField& field, const ValueRange& range, double value) {
   if (field.is_label) return label_colour(value);
-  if (std::isnan(value)) return kGrey;
+  if (!std::isfinite(value)) return kGrey;
   const double width = range.most - range.least;
   return colour_of(width > 0 ? (value - range.least) / width : 0);
 }

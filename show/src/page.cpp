@@ -1,6 +1,10 @@
 #include "blum/show/page.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -9,6 +13,7 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/output_files.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/show/colours.hpp"
 #include "embedded_page.hpp"
 
@@ -37,6 +42,17 @@ std::string for_element(std::string json) {
   return json;
 }
 
+/// Whether floats keep what is to be seen of the values: what is far smaller than others may
+/// vanish.
+bool fit_floats(std::span<const double> values) {
+  double most = 0;
+  for (const double v : values) {
+    if (std::isfinite(v)) most = std::max(most, std::abs(v));
+  }
+  return most == 0 ||
+         (most >= std::numeric_limits<float>::min() && most <= std::numeric_limits<float>::max());
+}
+
 class Page {
  public:
   Page(const Scene& scene, const Camera& camera) : s_(scene) {
@@ -47,6 +63,7 @@ class Page {
     header_["colours"] = {{"map", list(colour_stops())}, {"labels", list(label_colours())}};
     header_["camera"] = {{"azimuth", camera.azimuth_deg}, {"elevation", camera.elevation_deg}};
     header_["origin"] = {origin_.x, origin_.y, origin_.z};
+    header_["unit"] = unit_;
     header_["fields"] = Json::array();
     for (const ScalarField& f : s_.field) {
       header_["fields"].push_back(
@@ -73,10 +90,14 @@ class Page {
     return result;
   }
 
-  /// Floats are fine near 0 alone.
+  /// Floats are fine near 0 alone, and pages are drawn with floats: coordinates are those about a
+  /// point, in a unit (a power of two, so that it costs no digits) as large as the scene.
   void centre() {
-    const std::vector<Point3>& points = s_.model_point.empty() ? s_.point : s_.model_point;
-    if (!points.empty()) origin_ = points.front();
+    const Box3 box = bounds_of(s_);
+    origin_ = middle(box.lo, box.hi);
+    int exponent = 0;
+    std::frexp(diameter(box), &exponent);
+    unit_ = std::ldexp(1.0, exponent);
   }
 
   template <class T, class Values>
@@ -91,11 +112,19 @@ class Page {
   template <class T, class Value>
   void put(detail::Base64& base64, const Value& v) const {
     if constexpr (std::is_same_v<Value, Point3>) {
-      for (int k = 0; k < 3; ++k) base64.put(static_cast<T>(v[k] - origin_[k]));
+      for (int k = 0; k < 3; ++k) base64.put(static_cast<T>((v[k] - origin_[k]) / unit_));
     } else if constexpr (std::is_arithmetic_v<Value>) {
       base64.put(static_cast<T>(v));
     } else {
       for (const auto& part : v) put<T>(base64, part);
+    }
+  }
+
+  void values(OutputStream& out, const std::string& name, std::span<const double> values) {
+    if (fit_floats(values)) {
+      array<float>(out, name, values);
+    } else {
+      array<double>(out, name, values);
     }
   }
 
@@ -110,7 +139,7 @@ class Page {
     array<std::uint32_t>(out, "model_line", s_.model_line);
     array<float>(out, "undecided", s_.undecided);
     for (std::size_t i = 0; i < s_.field.size(); ++i) {
-      array<float>(out, "field_" + std::to_string(i), s_.field[i].value);
+      values(out, "field_" + std::to_string(i), s_.field[i].value);
     }
     // The rest is there or is not: the page asks.
     if (!s_.triangle_theta.empty()) {
@@ -121,11 +150,11 @@ class Page {
       array<std::uint32_t>(out, "triangle_edge", s_.triangle_edge);
       array<std::uint32_t>(out, "line_edge", s_.line_edge);
     }
-    if (!s_.triangle_angle.empty()) array<float>(out, "triangle_angle", s_.triangle_angle);
+    if (!s_.triangle_angle.empty()) array<double>(out, "triangle_angle", s_.triangle_angle);
     if (!s_.triangle_governor.empty()) {
       array<std::int32_t>(out, "triangle_governor", s_.triangle_governor);
     }
-    if (!s_.radius.empty()) array<float>(out, "radius", s_.radius);
+    if (!s_.radius.empty()) values(out, "radius", s_.radius);
     if (!s_.on_axis.empty()) array<std::uint8_t>(out, "on_axis", s_.on_axis);
     if (!s_.governor_begin.empty()) {
       array<std::uint32_t>(out, "governor_begin", s_.governor_begin);
@@ -135,6 +164,7 @@ class Page {
 
   const Scene& s_;
   Point3 origin_;
+  double unit_ = 1;
   Json header_;
 };
 

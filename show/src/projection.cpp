@@ -5,52 +5,33 @@
 #include <limits>
 #include <span>
 
+#include "blum/kernel/point_algebra.hpp"
+
 namespace blum::detail {
 namespace {
 
 constexpr double kEyeDistance = 2.1;  // diagonals of the box: all of it is before the eye
 constexpr double kFilled = 0.88;      // of the picture's width or height
 
-Point3 plus(const Point3& a, const Point3& b, double t) {
-  return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Point3 unit(const Point3& a) {
-  const double length = std::sqrt(dot(a, a));
-  return length > 0 ? Point3{a.x / length, a.y / length, a.z / length} : a;
+  const double l = length(a);
+  return l > 0 ? Point3{a.x / l, a.y / l, a.z / l} : a;
 }
 
 }  // namespace
 
 Projection::Projection(const Scene& scene, const RenderOptions& options)
-    : section_(options.section) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  box_ = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  const auto take = [this](const Point3& p) {
-    for (int k = 0; k < 3; ++k) {
-      box_.lo[k] = std::min(box_.lo[k], p[k]);
-      box_.hi[k] = std::max(box_.hi[k], p[k]);
-    }
-  };
-  for (const Point3& p : scene.point) take(p);
-  for (const Point3& p : scene.model_point) take(p);
-  for (const auto& corners : scene.undecided) std::ranges::for_each(corners, take);
-
-  const Point3 extent = plus(box_.hi, box_.lo, -1);
-  size_ = std::sqrt(dot(extent, extent));
+    : box_(bounds_of(scene)), section_(options.section) {
+  size_ = diameter(box_);
   if (!(size_ > 0)) size_ = 1;
-  const Point3 centre = plus(box_.lo, extent, 0.5);
   const double a = options.camera.azimuth_deg * M_PI / 180,
                e = options.camera.elevation_deg * M_PI / 180;
   const Point3 back = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-  eye_ = plus(centre, back, kEyeDistance * size_);
+  eye_ = middle(box_.lo, box_.hi) + kEyeDistance * size_ * back;
   forward_ = {-back.x, -back.y, -back.z};
   right_ = {-std::sin(a), std::cos(a), 0};
   up_ = cross(right_, forward_);
-  lamp_ = unit(plus(plus(back, right_, -0.3), up_, 0.5));
+  lamp_ = unit(back + -0.3 * right_ + 0.5 * up_);
   fit(options);
 }
 
@@ -74,11 +55,12 @@ void Projection::fit(const RenderOptions& options) {
 }
 
 RasterVertex Projection::operator()(const Point3& p) const {
-  const Point3 d = plus(p, eye_, -1);
+  const Point3 d = p - eye_;
   RasterVertex v;
-  v.inverse_depth = 1 / dot(d, forward_);
-  v.x = cx_ + scale_ * dot(d, right_) * v.inverse_depth;
-  v.y = cy_ - scale_ * dot(d, up_) * v.inverse_depth;
+  // In sizes of the scene: the raster keeps floats.
+  v.inverse_depth = size_ / inner(d, forward_);
+  v.x = cx_ + scale_ * (inner(d, right_) / size_) * v.inverse_depth;
+  v.y = cy_ - scale_ * (inner(d, up_) / size_) * v.inverse_depth;
   if (section_) {
     const int k = section_->axis;
     const double level = box_.lo[k] + section_->at * (box_.hi[k] - box_.lo[k]);
@@ -88,13 +70,13 @@ RasterVertex Projection::operator()(const Point3& p) const {
 }
 
 double Projection::light(const Point3& a, const Point3& b, const Point3& c) const {
-  const Point3 n = unit(cross(plus(b, a, -1), plus(c, a, -1)));
-  return 0.5 + 0.5 * std::abs(dot(n, lamp_));
+  const Point3 n = unit(cross(b - a, c - a));
+  return 0.5 + 0.5 * std::abs(inner(n, lamp_));
 }
 
 RasterVertex Projection::nearer(RasterVertex v) const {
   const double depth = 1 / v.inverse_depth;
-  v.inverse_depth = 1 / (depth - 0.002 * size_);
+  v.inverse_depth = 1 / (depth - 0.002);
   return v;
 }
 

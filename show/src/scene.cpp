@@ -2,35 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <span>
 #include <utility>
 
+#include "blum/kernel/check.hpp"
+#include "blum/kernel/point_algebra.hpp"
 #include "blum/show/vtp_file.hpp"
+#include "scene_facts.hpp"
+#include "vtp_arrays.hpp"
 
 namespace blum {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+/// Pages hold them in 32 bits.
+constexpr double kMostLabels = 0x1p31;
 
-struct Malformed {
-  std::string message;
-};
-
-const VtpArray* find(const VtpArrays& arrays, const char* name, int components) {
-  const auto found = arrays.find(name);
-  if (found == arrays.end()) return nullptr;
-  if (found->second.components != components) {
-    throw Malformed{std::string("array ") + name + " has another number of components"};
-  }
-  return &found->second;
-}
+using detail::find;
+using detail::is_whole;
+using detail::Malformed;
 
 /// An array of indices below `end`.
 template <class Index>
@@ -38,20 +29,28 @@ std::vector<Index> indices(const VtpArray& array, double end, const char* name) 
   std::vector<Index> list;
   list.reserve(array.value.size());
   for (const double v : array.value) {
-    if (!(v >= 0 && v < end)) throw Malformed{std::string(name) + ": an index out of range"};
+    if (!is_whole(v, 0, end)) throw Malformed{std::string(name) + ": an index out of range"};
     list.push_back(static_cast<Index>(v));
   }
   return list;
 }
 
-/// A whole number that fits.
-template <class Int>
-Int whole(double value, const char* name) {
-  if (!(value >= static_cast<double>(std::numeric_limits<Int>::min()) &&
-        value <= static_cast<double>(std::numeric_limits<Int>::max()))) {
-    throw Malformed{std::string(name) + ": a number out of range"};
+/// Whole numbers from -1 (none) on, below `end`.
+std::vector<std::int64_t> numbers_or_none(std::span<const double> values, double end,
+                                          const char* name) {
+  std::vector<std::int64_t> list;
+  list.reserve(values.size());
+  for (const double v : values) {
+    if (!is_whole(v, -1, end)) throw Malformed{std::string(name) + ": a number out of range"};
+    list.push_back(static_cast<std::int64_t>(v));
   }
-  return static_cast<Int>(value);
+  return list;
+}
+
+void require_finite(std::span<const double> values, const char* name) {
+  for (const double v : values) {
+    if (!std::isfinite(v)) throw Malformed{std::string(name) + ": a value is not finite"};
+  }
 }
 
 template <std::size_t N, class T>
@@ -63,12 +62,6 @@ std::vector<std::array<T, N>> tuples(const std::vector<T>& list) {
   return result;
 }
 
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 /// Edges between triangles that make an angle of more than a degree.
 std::vector<std::array<std::uint32_t, 2>> visible_edges(const Scene& scene) {
   const double most = std::cos(M_PI / 180);
@@ -76,14 +69,16 @@ std::vector<std::array<std::uint32_t, 2>> visible_edges(const Scene& scene) {
   std::vector<std::array<std::uint32_t, 2>> visible;
   for (const auto& t : scene.model_triangle) {
     const Point3& a = scene.model_point[t[0]];
-    const Point3 n = cross(minus(scene.model_point[t[1]], a), minus(scene.model_point[t[2]], a));
+    const Point3 n = cross(scene.model_point[t[1]] - a, scene.model_point[t[2]] - a);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = t[k], v = t[(k + 1) % 3];
       const std::array<std::uint32_t, 2> edge{std::min(u, v), std::max(u, v)};
       const auto [other, is_new] = normal_at.emplace(edge, n);
       if (is_new) continue;
-      const double length = std::sqrt(dot(n, n) * dot(other->second, other->second));
-      if (!(dot(n, other->second) >= most * length)) visible.push_back(edge);
+      // Root by root: the product of the squares of areas overflows.
+      const Point3& m = other->second;
+      const double lengths = std::sqrt(inner(n, n)) * std::sqrt(inner(m, m));
+      if (!(inner(n, m) >= most * lengths)) visible.push_back(edge);
     }
   }
   return visible;
@@ -93,6 +88,7 @@ void read_model(const VtpFile& file, Scene& scene) {
   const VtpArray* points = find(file.field_data, "solid_points", 3);
   const VtpArray* triangles = find(file.field_data, "solid_triangles", 3);
   if (points == nullptr || triangles == nullptr) return;
+  detail::require_coordinates(points->value);
   for (const auto& p : tuples<3>(points->value)) scene.model_point.push_back({p[0], p[1], p[2]});
   scene.model_triangle = tuples<3>(indices<std::uint32_t>(
       *triangles, static_cast<double>(scene.model_point.size()), "solid_triangles"));
@@ -103,15 +99,23 @@ void read_model(const VtpFile& file, Scene& scene) {
   scene.model_line = visible_edges(scene);
   if (const VtpArray* counts = find(file.field_data, "site_counts", 1);
       counts != nullptr && counts->value.size() == 3) {
+    const std::array<std::size_t, 3> size = {scene.model_point.size(), scene.model_edge.size(),
+                                             scene.model_triangle.size()};
     for (int k = 0; k < 3; ++k) {
-      scene.site_counts[k] = whole<std::uint32_t>(counts->value[k], "site_counts");
-    }
-    if (scene.site_counts != std::array{static_cast<std::uint32_t>(scene.model_point.size()),
-                                        static_cast<std::uint32_t>(scene.model_edge.size()),
-                                        static_cast<std::uint32_t>(scene.model_triangle.size())}) {
-      throw Malformed{"site_counts are not the numbers of the model's elements"};
+      if (counts->value[k] != static_cast<double>(size[k])) {
+        throw Malformed{"site_counts are not the numbers of the model's elements"};
+      }
+      scene.site_counts[k] = static_cast<std::uint32_t>(size[k]);
     }
   }
+}
+
+/// The parts of an array of cells that are about lines and triangles.
+std::span<const double> of_lines(const VtpFile& file, const VtpArray& array) {
+  return std::span(array.value).first(file.line.size());
+}
+std::span<const double> of_triangles(const VtpFile& file, const VtpArray& array) {
+  return std::span(array.value).subspan(file.line.size());
 }
 
 void read_governors(const VtpFile& file, Scene& scene) {
@@ -131,52 +135,56 @@ void read_governors(const VtpFile& file, Scene& scene) {
   const VtpArray* a = find(file.cell_data, "governor_a", 1);
   const VtpArray* b = find(file.cell_data, "governor_b", 1);
   if (a == nullptr || b == nullptr) return;
-  for (std::size_t i = file.line.size(); i < a->value.size(); ++i) {
-    if (!(a->value[i] < sites && b->value[i] < sites)) throw Malformed{"a governor is no site"};
-    scene.triangle_governor.push_back(
-        {static_cast<std::int64_t>(a->value[i]), static_cast<std::int64_t>(b->value[i])});
+  const auto first = numbers_or_none(of_triangles(file, *a), sites, "governor_a"),
+             second = numbers_or_none(of_triangles(file, *b), sites, "governor_b");
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    scene.triangle_governor.push_back({first[i], second[i]});
   }
 }
 
-/// The part of an array of cells that is about triangles.
-std::vector<double> of_triangles(const VtpFile& file, const VtpArray& array) {
-  return {array.value.begin() + static_cast<std::ptrdiff_t>(file.line.size()), array.value.end()};
-}
-
 void read_fields(const VtpFile& file, Scene& scene) {
-  const auto add_of_cells = [&](const char* name, bool is_label) {
-    if (const VtpArray* array = find(file.cell_data, name, 1)) {
-      scene.field.push_back({name, true, is_label, of_triangles(file, *array)});
+  const auto add = [&](const char* name, bool per_triangle, bool is_label,
+                       std::span<const double> values) {
+    for (const double v : values) {
+      if (std::isinf(v)) throw Malformed{std::string(name) + ": a value is infinite"};
     }
+    scene.field.push_back({name, per_triangle, is_label, {values.begin(), values.end()}});
   };
   const auto add_of_points = [&](const char* name) {
-    if (const VtpArray* array = find(file.point_data, name, 1)) {
-      scene.field.push_back({name, false, false, array->value});
-    }
+    if (const auto* array = find(file.point_data, name, 1)) add(name, false, false, array->value);
   };
   add_of_points("thickness");
-  add_of_cells("thickness", false);
+  if (const auto* thickness = find(file.cell_data, "thickness", 1)) {
+    add("thickness", true, false, of_triangles(file, *thickness));
+  }
   add_of_points("radius");
   const VtpArray* lo = find(file.cell_data, "angle_lo", 1);
   const VtpArray* hi = find(file.cell_data, "angle_hi", 1);
   if (lo != nullptr && hi != nullptr) {
+    require_finite(lo->value, "angle_lo");
+    require_finite(hi->value, "angle_hi");
     const auto low = of_triangles(file, *lo), high = of_triangles(file, *hi);
-    ScalarField angle{"angle", true, false, high};
     for (std::size_t i = 0; i < high.size(); ++i) scene.triangle_angle.push_back({low[i], high[i]});
-    scene.field.push_back(std::move(angle));
+    add("angle", true, false, high);
   }
-  add_of_cells("sheet", true);
+  if (const auto* sheet = find(file.cell_data, "sheet", 1)) {
+    const std::span<const double> labels = of_triangles(file, *sheet);
+    (void)numbers_or_none(labels, kMostLabels, "sheet");
+    add("sheet", true, true, labels);
+  }
 }
 
 void read_axis(const VtpFile& file, Scene& scene) {
   if (const VtpArray* theta = find(file.cell_data, "theta", 1)) {
-    scene.line_theta.assign(theta->value.begin(),
-                            theta->value.begin() + static_cast<std::ptrdiff_t>(file.line.size()));
-    scene.triangle_theta = of_triangles(file, *theta);
+    require_finite(theta->value, "theta");
+    const auto lines = of_lines(file, *theta), triangles = of_triangles(file, *theta);
+    scene.line_theta.assign(lines.begin(), lines.end());
+    scene.triangle_theta.assign(triangles.begin(), triangles.end());
   }
-  const VtpArray* seam = find(file.cell_data, "seam", 1);
-  for (std::size_t i = 0; i < file.line.size(); ++i) {
-    scene.line_seam.push_back(seam != nullptr ? whole<std::int32_t>(seam->value[i], "seam") : -1);
+  if (const VtpArray* seam = find(file.cell_data, "seam", 1)) {
+    scene.line_seam = numbers_or_none(of_lines(file, *seam), kMostLabels, "seam");
+  } else {
+    scene.line_seam.assign(file.line.size(), -1);
   }
   // Every edge is a line or a triangle's: numbers beyond are no edges' (and would take memory).
   const double edges =
@@ -191,66 +199,19 @@ void read_axis(const VtpFile& file, Scene& scene) {
       throw Malformed{"line_edge and triangle_edge are not of all cells"};
     }
   }
-  if (const VtpArray* radius = find(file.point_data, "radius", 1)) scene.radius = radius->value;
+  if (const VtpArray* radius = find(file.point_data, "radius", 1)) {
+    require_finite(radius->value, "radius");
+    scene.radius = radius->value;
+  }
   if (const VtpArray* on_axis = find(file.point_data, "on_axis", 1)) {
     for (const double v : on_axis->value) scene.on_axis.push_back(v != 0);
   }
   if (const VtpArray* box = find(file.field_data, "undecided_box", 6)) {
+    detail::require_coordinates(box->value);
     for (const auto& b : tuples<6>(box->value)) {
       scene.undecided.push_back({Point3{b[0], b[1], b[2]}, Point3{b[3], b[4], b[5]}});
     }
   }
-}
-
-/// Six digits are enough for people.
-std::string shortest(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-/// What the file itself says, for people.
-void add_facts(const VtpFile& file, Scene& scene) {
-  if (const VtpArray* certified = find(file.field_data, "certified", 1);
-      certified != nullptr && certified->value.size() == 1) {
-    scene.fact.push_back({"certified", certified->value[0] != 0 ? "yes" : "no"});
-  }
-  if (!scene.undecided.empty()) {
-    scene.fact.push_back({"undecided cells", std::to_string(scene.undecided.size())});
-  }
-}
-
-/// The summary, if it is about the run that wrote the file.
-void add_summary(const VtpFile& file, const fs::path& path, Scene& scene) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  const Json summary = Json::parse(text, nullptr, false);
-  if (!summary.is_object()) return;
-  const VtpArray* seed = find(file.field_data, "seed", 1);
-  const auto own_seed = summary.value("seed", Json());
-  if (seed == nullptr || seed->value.size() != 1 || !own_seed.is_number() ||
-      own_seed.get<double>() != seed->value[0]) {
-    return;
-  }
-  const Json sites = summary.value("sites", Json::object());
-  if (!sites.is_object() || sites.value("faces", Json()) != Json(scene.site_counts[2])) return;
-  const Json model = summary.value("model", Json());
-  if (model.is_string()) scene.title = fs::path(model.get<std::string>()).filename().string();
-  const Json result = summary.value("result", Json::object());
-  if (!result.is_object()) return;
-  const auto number = [&](const char* key, const char* name) {
-    const Json value = result.value(key, Json());
-    if (value.is_number()) scene.fact.push_back({name, shortest(value.get<double>())});
-  };
-  if (const Json betti = result.value("betti", Json()); betti.is_array() && betti.size() == 3) {
-    scene.fact.push_back(
-        {"Betti numbers", betti[0].dump() + ' ' + betti[1].dump() + ' ' + betti[2].dump()});
-  }
-  number("sheets", "sheets");
-  number("seams", "seams");
-  number("junctions", "junctions");
-  number("clusters", "clusters");
-  number("hausdorff_bound", "Hausdorff bound");
 }
 
 fs::path with_suffix(const fs::path& prefix, const char* suffix) {
@@ -261,6 +222,14 @@ fs::path with_suffix(const fs::path& prefix, const char* suffix) {
 
 }  // namespace
 
+Box3 bounds_of(const Scene& scene) {
+  std::vector<Point3> all = scene.point;
+  all.insert(all.end(), scene.model_point.begin(), scene.model_point.end());
+  for (const auto& corners : scene.undecided) all.insert(all.end(), corners.begin(), corners.end());
+  BLUM_REQUIRE(!all.empty());
+  return bounds_of(std::span<const Point3>(all));
+}
+
 Result<Scene> read_scene(const fs::path& result) {
   const bool is_file = result.extension() == ".vtp";
   const fs::path vtp = is_file ? result : with_suffix(result, ".vtp");
@@ -269,7 +238,6 @@ Result<Scene> read_scene(const fs::path& result) {
   if (!read) return read.error();
   const VtpFile& file = read.value();
   Scene scene;
-  scene.title = prefix.filename().string();
   try {
     scene.point = file.point;
     scene.triangle = file.triangle;
@@ -278,8 +246,9 @@ Result<Scene> read_scene(const fs::path& result) {
     read_governors(file, scene);
     read_fields(file, scene);
     read_axis(file, scene);
-    add_facts(file, scene);
-    add_summary(file, with_suffix(prefix, ".json"), scene);
+    scene.fact = detail::facts_of(file, scene);
+    scene.title = detail::title_of(file, scene, with_suffix(prefix, ".json"))
+                      .value_or(prefix.filename().string());
   } catch (const Malformed& problem) {
     return Error{ErrorCode::kMalformedFile, problem.message, vtp.string(), std::nullopt};
   }

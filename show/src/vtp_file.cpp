@@ -1,7 +1,6 @@
 #include "blum/show/vtp_file.hpp"
 
-#include <bit>
-#include <cmath>
+#include <array>
 #include <cstring>
 #include <optional>
 #include <pugixml.hpp>
@@ -9,14 +8,13 @@
 #include <utility>
 
 #include "blum/kernel/vtk_xml.hpp"
+#include "vtp_arrays.hpp"
 
 namespace blum {
 namespace {
 
-/// What is wrong with the file; caught in read_vtp, the only public function here.
-struct Malformed {
-  std::string message;
-};
+using detail::is_whole;
+using detail::Malformed;
 
 std::vector<std::uint8_t> decoded(std::string_view text) {
   static constexpr std::string_view kDigits =
@@ -117,7 +115,7 @@ std::vector<std::array<std::uint32_t, Corners>> cells_of(const pugi::xml_node& n
     if (offset[i] != static_cast<double>(Corners * (i + 1))) throw Malformed{"wrong offsets"};
     for (std::size_t k = 0; k < Corners; ++k) {
       const double index = corner[Corners * i + k];
-      if (!(index >= 0 && index < static_cast<double>(points))) {
+      if (!is_whole(index, 0, static_cast<double>(points))) {
         throw Malformed{"a cell has a corner that is no point"};
       }
       cells[i][k] = static_cast<std::uint32_t>(index);
@@ -141,12 +139,10 @@ VtpFile file_of(const pugi::xml_document& document) {
   VtpFile file;
   const VtpArray coordinates = array_of(piece.child("Points").child("DataArray"));
   if (coordinates.components != 3) throw Malformed{"points without three coordinates"};
+  detail::require_coordinates(coordinates.value);
   for (std::size_t i = 0; i < coordinates.value.size(); i += 3) {
-    const Point3 p{coordinates.value[i], coordinates.value[i + 1], coordinates.value[i + 2]};
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw Malformed{"a coordinate is not finite"};
-    }
-    file.point.push_back(p);
+    file.point.push_back(
+        {coordinates.value[i], coordinates.value[i + 1], coordinates.value[i + 2]});
   }
   file.line = cells_of<2>(piece.child("Lines"), file.point.size());
   file.triangle = cells_of<3>(piece.child("Polys"), file.point.size());

@@ -58,7 +58,7 @@ function start() {
     view.setColours((t, p) => {
       const v = values[field.perTriangle ? t : p];
       if (field.isLabel) return colours.ofLabel(v);
-      return Number.isNaN(v) ? [128, 128, 128] : colours.of((v - least) / (most - least || 1));
+      return colours.of((v - least) / (most - least || 1));
     });
     $('legend').style.background = colours.gradient();
     hide('legend', field.isLabel);

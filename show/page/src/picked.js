@@ -33,7 +33,7 @@ export function describe(data, { triangle: t, point }, number) {
   const at = [point.x, point.y, point.z];
   const corners = [0, 1, 2].map((k) => data.triangle[3 * t + k]);
   const weight = weights(...corners.map((p) => corner(data, p)), at);
-  const rows = [['at', at.map((v, k) => number(v + data.origin[k])).join(', ')]];
+  const rows = [['at', at.map((v, k) => number(v * data.unit + data.origin[k])).join(', ')]];
   data.fields.forEach((field, i) => {
     const values = data[`field_${i}`];
     if (field.name === 'angle') return;

@@ -53,6 +53,10 @@ struct TextFile {
 ///              seed; undecided_box (lo, hi) and undecided_reason (UndecidedReason) per cell;
 ///              line_edge and triangle_edge: the edges of the complex that a line is and a triangle
 ///              has (two may have the same ends; sheets are joined across those of two triangles).
+///              Of what the file holds: pruned (1: sheets of the axis have been left out); betti
+///              (if certified); sheets, seams, junctions, clusters; hausdorff_bound (model units).
+///              Pruned ones are counted anew (count_shapes) and have no clusters; a bound is there
+///              only if the result is certified, not pruned, not smoothed, and the bound finite.
 [[nodiscard]] std::optional<Error> write_vtp(const MedialResult& result, const Solid& solid,
                                              const std::filesystem::path& file);
 

@@ -54,9 +54,13 @@ struct Scene {
   std::vector<std::array<Point3, 2>> undecided;  ///< boxes: lowest, highest corner
 };
 
-/// Reads PREFIX.vtp, or the .vtp file that is named, and the summary PREFIX.json beside it where
-/// there is one that is of the same run (same seed and number of faces). Results of `blum medial`,
-/// `voronoi`, `thickness` and `midsurface`. Errors: those of read_vtp, kMalformedFile.
+/// Around all points and boxes, of which there is one at least.
+[[nodiscard]] Box3 bounds_of(const Scene& scene);
+
+/// Reads PREFIX.vtp, or the .vtp file that is named; all facts are its own. The model's name alone
+/// is from the summary PREFIX.json beside it, where there is one with the same seed and number of
+/// faces. Results of `blum medial`, `voronoi`, `thickness` and `midsurface`. Errors: those of
+/// read_vtp, kMalformedFile.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& result);
 
 }  // namespace blum

@@ -63,8 +63,8 @@ struct ThicknessHistogram {
 /// "from,to,area,fraction", a line for each bin.
 [[nodiscard]] std::string histogram_csv(const ThicknessHistogram& histogram);
 
-/// PREFIX.vtp: the parts as VTK XML PolyData with CellData thickness, error, angle, sheet, counts,
-/// triangle (thickness is NaN where the sample does not count; thickness_any is the value all the
+/// PREFIX.vtp: the parts as VTK XML PolyData with CellData thickness, error, contact_angle, sheet,
+/// counts, face (thickness is NaN where the sample does not count; thickness_any is the value all the
 /// same). PREFIX.ply: the samples, binary, as vertices with x, y, z, thickness, error, angle,
 /// sheet, counts. Error: kOutputNotWritten.
 [[nodiscard]] std::optional<Error> write_thickness(const Thickness& thickness,
