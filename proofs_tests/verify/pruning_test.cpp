@@ -42,8 +42,8 @@ TEST(Pruning, OfSmallCertificatesThatKeepsTheMeaning_Accepted) {
   apply_all(all, true_prunings(), 1, true);
 }
 
-TEST(SweepPruning, ThatIsFalse_Rejected) { apply_all(larger(), false_prunings(), 10, false); }
-TEST(SweepPruning, ThatKeepsTheMeaning_Accepted) { apply_all(larger(), true_prunings(), 5, true); }
+TEST(SweepPruning, ThatIsFalse_Rejected) { apply_all(larger(), false_prunings(), 3, false); }
+TEST(SweepPruning, ThatKeepsTheMeaning_Accepted) { apply_all(larger(), true_prunings(), 3, true); }
 
 /// The rest of a certificate is checked as without.
 TEST(SweepPruning, CertificatesWithAFalseRecordElsewhere_Rejected) {
