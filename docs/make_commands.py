@@ -69,9 +69,13 @@ PAGES = {
     "certificate": ("Says what a certificate says, for people; see [certificate.md](../certificate.md).", [
         ("", "blum medial box.off -o c --certificate box.cert", 0),
         ("", "blum certificate box.cert", 0),
+        ("Of an axis simplified by an angle it has the collapses, too:",
+         "blum medial box.off -o c --theta 95 --certificate pruned.cert", 0),
+        ("", "blum certificate pruned.cert", 0),
     ]),
     "verify": ("Checks a certificate, independently of what made it.", [
         ("", "blum verify box.off box.cert", 0),
+        ("With the collapses of a simplified axis:", "blum verify box.off pruned.cert", 0),
         ("Of another model:", "blum verify plate.off box.cert", 4),
     ]),
 }

@@ -17,8 +17,9 @@ using Json = nlohmann::json;
 
 /// Counts of what the records say.
 struct Contents {
-  Json header, complex, betti, end;
+  Json header, complex, betti, pruned, end;
   std::size_t nodes = 0, leaves = 0, faces = 0, interfaces = 0, arcs = 0, exclusions = 0;
+  std::size_t collapses = 0;
   std::map<std::string, std::size_t> by_theorem, by_claim, missing, events;
 
   void add_diagram(const Json& j) {
@@ -42,6 +43,8 @@ struct Contents {
     if (name == "header") header = j;
     if (name == "complex") complex = j;
     if (name == "betti") betti = j;
+    if (name == "collapse") collapses += j.at("cells").size();
+    if (name == "pruned") pruned = j;
     if (name == "end") end = j;
     if (name == "leaf") add_leaf(j);
     if (name == "node") {
@@ -65,6 +68,13 @@ void print(const char* title, const std::map<std::string, std::size_t>& counts, 
   out << (counts.empty() ? "none\n" : "\n");
 }
 
+/// "title 3 arcs, 5 ties": from an object of numbers.
+void print_cells(const char* title, const Json& cells, std::ostream& out) {
+  std::map<std::string, std::size_t> counts;
+  for (const auto& [name, n] : cells.items()) counts[name] = n;
+  print(title, counts, out);
+}
+
 void print(const Contents& c, std::ostream& out) {
   const Json &model = c.header.at("model"), &options = c.header.at("options");
   out << "model           " << model.at("points") << " points, " << model.at("triangles")
@@ -85,11 +95,14 @@ void print(const Contents& c, std::ostream& out) {
     out << "note            " << exact->second
         << " parts rest on exact algebra, which `blum verify` does not do\n";
   if (c.end.at("certified") == true) {
-    std::map<std::string, std::size_t> cells;
-    for (const auto& [name, n] : c.complex.at("cells").items()) cells[name] = n;
-    print("complex         ", cells, out);
+    print_cells("complex         ", c.complex.at("cells"), out);
     out << "claims          Betti numbers " << c.betti.at(0) << ' ' << c.betti.at(1) << ' '
         << c.betti.at(2) << ", certified\n";
+    if (!c.pruned.is_null()) {
+      out << "pruned          by " << c.pruned.at("theta").get<double>()
+          << " degrees: " << c.collapses << " collapses of pairs of cells\n";
+      print_cells("left            ", c.pruned.at("cells"), out);
+    }
   } else {
     out << "claims          nothing: the result is not certified\n";
     print("missing         leaves undecided: ", c.missing, out);

@@ -96,6 +96,13 @@ int run_medial(MedialArguments arguments) {
   if (!(arguments.epsilon >= 0)) return report_usage("--epsilon: not a length");
   if (!(arguments.leaf_diameter >= 0)) return report_usage("--leaf-diameter: not a length");
   if (!(arguments.edge_length >= 0)) return report_usage("--edge-length: not a length");
+  if (arguments.theta && arguments.simplify == Simplify::kSubset &&
+      !arguments.certificate.empty()) {
+    return report_usage(
+        "--simplify sma: keeps no homotopy type that a certificate could be about; use hma, or "
+        "write "
+        "the certificate in a run without --theta");
+  }
   if (arguments.smooth && !arguments.certificate.empty()) {
     return report_usage("--smooth: for display only, a certificate is about the exact result");
   }
@@ -115,6 +122,7 @@ int run_medial(MedialArguments arguments) {
   }
   arguments.angles.wanted =
       arguments.with_angles || arguments.theta || !arguments.theta_table.empty();
+  if (!arguments.certificate.empty()) arguments.angles.certified_theta_deg = arguments.theta;
   if (const fs::path graph = arguments.graph;
       !graph.empty() && graph.extension() != ".json" && graph.extension() != ".graphml") {
     return report_usage("--graph: the name must end in .json or .graphml");
@@ -326,8 +334,9 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
                    "Subdivide a cell without trying planes that miss the axis: more cells, for\n"
                    "comparison");
   medial->add_option("--certificate", arguments.certificate,
-                     "Write what `blum verify` needs to check the result to this file. Such a\n"
-                     "run uses no cutting planes, so its leaves may differ");
+                     "Write what `blum verify` needs to check the result to this file, with\n"
+                     "--theta the collapses too. Such a run uses no cutting planes, so its leaves\n"
+                     "may differ");
   medial
       ->add_option("--edge-length", arguments.edge_length,
                    "Longest edge of the meshes of sheets, seams and rims, as a fraction of the\n"

@@ -58,7 +58,14 @@ int run_verify(const VerifyArguments& arguments) {
     return kFalse;
   }
   std::cout << "Betti numbers   " << answer.betti[0] << " " << answer.betti[1] << " "
-            << answer.betti[2] << ", as the solid's\nverified\n";
+            << answer.betti[2] << ", as the solid's\n";
+  if (answer.theta_deg) {
+    std::cout << "pruned          by " << *answer.theta_deg << " degrees: " << answer.collapses
+              << " collapses of pairs of cells replayed\nangles          of " << answer.angles
+              << " of " << answer.pieces
+              << " pieces of sheets, those between two faces, at most what their collapse costs\n";
+  }
+  std::cout << "verified\n";
   return kSuccess;
 }
 

@@ -49,6 +49,7 @@ class Assembler {
     SidedFace sides{};                           // of one-sided diagrams
     std::vector<Placed> crossing{};              // their crossings
     bool told = true;                            // what lies on which side
+    std::uint32_t first_edge = 0;                // of its arcs
 
     [[nodiscard]] bool decided() const {
       return told && diagram && diagram->status == FaceStatus::kDecided;
@@ -93,7 +94,7 @@ class Assembler {
   void for_each_part(const Interface& interface, Visit visit) const;
   void solve_ties_on(EdgeTies& ties, int thread);
   void drop(const Interface& interface);
-  void add_interface(const Interface& interface);
+  void add_interface(Interface& interface);
   void add_leaf(std::uint32_t leaf);
   void drop_unused_vertices();
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
@@ -334,7 +335,7 @@ std::uint32_t Assembler::add_vertex(const Placed& placed, ComplexVertex::Kind ki
   return static_cast<std::uint32_t>(complex_.vertex.size() - 1);
 }
 
-void Assembler::add_interface(const Interface& interface) {
+void Assembler::add_interface(Interface& interface) {
   const FaceDiagram& d = *interface.diagram;
   std::array<std::vector<std::uint32_t>, 4> ties;
   for_each_part(interface, [&](int s, const Segment& part) {
@@ -388,6 +389,7 @@ void Assembler::add_interface(const Interface& interface) {
         break;
     }
   }
+  interface.first_edge = static_cast<std::uint32_t>(complex_.edge.size());
   for (std::size_t k = 0; k < d.arc.size(); ++k) {
     const FaceArc& a = d.arc[k];
     ComplexEdge e;
@@ -538,7 +540,7 @@ void Assembler::add_interfaces() {
   for (EdgeTies& ties : tie_)
     for (const Placed& p : ties.placed)
       ties.vertex.push_back(add_vertex(p, ComplexVertex::Kind::kArcPoint));
-  for (const Interface& i : interface_) {
+  for (Interface& i : interface_) {
     if (stopped()) return;
     const auto kept = [&](std::uint32_t leaf) { return leaf == kNone || !dropped_[leaf]; };
     if (kept(i.low) && kept(i.high)) add_interface(i);
@@ -588,14 +590,11 @@ Assembly Assembler::run() {
   if (one_sided_) drop_unused_vertices();
   for (std::uint32_t l = 0; l < dropped_.size(); ++l)
     if (dropped_[l]) assembly.undecided.push_back(l);
-  for (const Interface& i : interface_) {
-    if (i.low == kNone || i.high == kNone) continue;  // on the box: a face of its leaf
-    const auto side = static_cast<std::size_t>(2 * i.rect.axis);
-    if (i.diagram != subdivision_.leaf[i.low].face[side + 1] &&
-        i.diagram != subdivision_.leaf[i.high].face[side])
-      assembly.own_interface.push_back(
-          {i.diagram, static_cast<std::uint32_t>(&donor(i) - subdivision_.leaf.data())});
-  }
+  for (const Interface& i : interface_)
+    if (medial_ && i.decided())
+      assembly.interface.push_back(
+          {i.diagram, i.low, i.high,
+           static_cast<std::uint32_t>(&donor(i) - subdivision_.leaf.data()), i.first_edge});
   assembly.complex = std::move(complex_);
   return assembly;
 }

@@ -12,17 +12,19 @@
 
 namespace blum {
 
-/// The diagram on a rectangle between two leaves that is no face of either.
-struct OwnInterface {
+/// The common rectangle of two leaves, and where its arcs are in the complex.
+struct GluedInterface {
   std::shared_ptr<const FaceDiagram> diagram;
-  std::uint32_t leaf = 0;  ///< whose candidates it was made with
+  std::uint32_t low = 0, high = 0;  ///< leaves
+  std::uint32_t donor = 0;          ///< the leaf whose candidates serve, where it is no face of one
+  std::uint32_t first_edge = 0;     ///< of its arcs, which follow in their order
 };
 
 struct Assembly {
   CellComplex complex;
-  std::vector<std::uint32_t> undecided;  ///< accepted leaves with an interface in bad position
-  std::vector<OwnInterface> own_interface;
-  bool stopped = false;                  ///< the run's watch has fired: there is no complex
+  std::vector<std::uint32_t> undecided;   ///< accepted leaves with an interface in bad position
+  std::vector<GluedInterface> interface;  ///< medial axes only: for certificates
+  bool stopped = false;                   ///< the run's watch has fired: there is no complex
 };
 
 /// Glues the cones of all accepted leaves along their minimal interfaces: every interface

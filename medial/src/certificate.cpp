@@ -8,24 +8,32 @@
 #include "assemble.hpp"
 #include "blum/arrangement/part_record.hpp"
 #include "blum/kernel/check.hpp"
+#include "blum/medial/subcomplex.hpp"
 #include "blum/verify/verify.hpp"
+#include "cell_names.hpp"
+#include "match_arcs.hpp"
 
 namespace blum {
 namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::size_t kMostPairs = 1000;  // of a record: no line is longer than that makes it
+
 class Writer {
  public:
   Writer(const SiteGeometry& geometry, const Subdivision& subdivision, const Assembly& assembly,
-         EngineSet& engines, const CertificateSink& sink)
+         std::optional<double> theta, EngineSet& engines, const CertificateSink& sink)
       : geometry_(geometry),
         solid_(geometry.solid()),
         subdivision_(subdivision),
         assembly_(assembly),
         engines_(engines),
         sink_(sink),
-        dropped_(subdivision.leaf.size(), false) {
+        theta_(theta),
+        dropped_(subdivision.leaf.size(), false),
+        first_diagram_(subdivision.leaf.size(), kNone) {
     for (const auto l : assembly.undecided) dropped_[l] = true;
     number_edges();
   }
@@ -40,9 +48,14 @@ class Writer {
   [[nodiscard]] std::optional<Json> diagram(const FaceDiagram& face, const Leaf& leaf);
   [[nodiscard]] Json graph(const FaceDiagram& face) const;
   [[nodiscard]] static Json cells(const CellComplex& complex);
+  [[nodiscard]] static long euler(const CellComplex& complex);
   [[nodiscard]] Json header(const SubdivisionOptions& options) const;
   bool write_tree(std::uint32_t node, std::span<const SiteId> candidates);
   bool write_leaf(std::uint32_t index, std::span<const SiteId> candidates);
+  [[nodiscard]] std::vector<ArcName> arc_names() const;
+  bool write_interfaces();
+  bool write_complex(const MedialResult& result);
+  bool write_collapses(const CellComplex& complex, const Filtration& filtration);
 
   const SiteGeometry& geometry_;
   const Solid& solid_;
@@ -50,7 +63,15 @@ class Writer {
   const Assembly& assembly_;
   EngineSet& engines_;
   const CertificateSink& sink_;
+  std::optional<double> theta_;
   std::vector<bool> dropped_;
+  // Diagrams are numbered as they are written: the first of a leaf's faces; those of interfaces.
+  std::uint32_t diagrams_ = 0;
+  std::vector<std::uint32_t> first_diagram_;
+  std::map<const FaceDiagram*, std::uint32_t> own_diagram_;
+  /// Of diagrams whose arcs are not as those of the complex: where these are.
+  std::map<std::uint32_t, std::vector<ArcMatch>> order_;
+  bool complete_ = true;  // every diagram is there, as in the complex
   std::vector<std::uint32_t> edge_number_;
   std::size_t lines_ = 0;
 };
@@ -64,7 +85,6 @@ bool Writer::line(const char* name, Json content) {
 
 /// Edges are numbered as they first appear in the triangles.
 void Writer::number_edges() {
-  constexpr auto kNone = 0xffffffffu;
   edge_number_.assign(solid_.edge.size(), kNone);
   std::uint32_t next = 0;
   for (const SolidTriangle& t : solid_.triangle)
@@ -153,6 +173,11 @@ Json Writer::cells(const CellComplex& complex) {
   return count;
 }
 
+long Writer::euler(const CellComplex& complex) {
+  return static_cast<long>(complex.vertex.size() + complex.triangle.size()) -
+         static_cast<long>(complex.edge.size());
+}
+
 /// The list with the direction added: two numbers, or two vertices.
 Json directed(Json list, const PlaneDirection& w) {
   if (w.line) {
@@ -169,7 +194,19 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   std::vector<PartRecord> records;
   const FaceDiagram again = engines_.production().face(
       FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
-  if (again.status != FaceStatus::kDecided) return std::nullopt;
+  if (again.status != FaceStatus::kDecided) {
+    complete_ = false;
+    return std::nullopt;
+  }
+  if (theta_) {
+    std::optional<std::vector<ArcMatch>> match = match_arcs(face, again);
+    complete_ &= match.has_value();
+    bool same = true;
+    for (std::uint32_t k = 0; match && k < match->size(); ++k)
+      same &= (*match)[k] == ArcMatch{k, false};
+    if (match && !same) order_.emplace(diagrams_, *std::move(match));
+  }
+  ++diagrams_;
   Json j = Json::array();
   for (const PartRecord& r : records) {
     using Kind = PartRecord::Kind;
@@ -224,7 +261,7 @@ Json Writer::header(const SubdivisionOptions& options) const {
   const Box3& box = subdivision_.node[0].box;
   return {
       {"format", "blum-certificate"},
-      {"version", 2},
+      {"version", verify::kFormatVersion},
       {"model",
        {{"points", solid_.point.size()},
         {"triangles", triangles.size()},
@@ -245,6 +282,7 @@ bool Writer::write_leaf(std::uint32_t index, std::span<const SiteId> candidates)
   if (leaf.theorem == LeafTheorem::kUndecided) return undecided(undecided_reason_name(leaf.reason));
   if (dropped_[index]) return undecided(undecided_reason_name(UndecidedReason::kFaceUndecided));
   Json faces = Json::array();
+  first_diagram_[index] = diagrams_;
   for (const auto& face : leaf.face) {
     std::optional<Json> p = diagram(*face, leaf);
     if (!p) return undecided("a face was decided with other candidates only");
@@ -269,28 +307,84 @@ bool Writer::write_tree(std::uint32_t index, std::span<const SiteId> candidates)
          write_tree(node.child, kept) && write_tree(node.child + 1, kept);
 }
 
+bool Writer::write_interfaces() {
+  for (const GluedInterface& i : assembly_.interface) {
+    const Rect& r = i.diagram->rect;
+    const auto side = static_cast<std::size_t>(2 * r.axis);
+    if (i.diagram == subdivision_.leaf[i.low].face[side + 1] ||
+        i.diagram == subdivision_.leaf[i.high].face[side])
+      continue;
+    own_diagram_[i.diagram.get()] = diagrams_;
+    std::optional<Json> p = diagram(*i.diagram, subdivision_.leaf[i.donor]);
+    if (!p) continue;  // the checker will say that it is missing
+    (*p)["rect"] = {r.axis, r.level, r.u0, r.u1, r.v0, r.v1};
+    (*p)["leaf"] = i.donor;
+    if (!line("interface", *std::move(p))) return false;
+  }
+  return true;
+}
+
+bool Writer::write_complex(const MedialResult& result) {
+  std::map<std::uint32_t, std::size_t> cones;
+  for (const ComplexCone& c : result.complex.cone) ++cones[c.leaf];
+  return line("complex", {{"euler", euler(result.complex)},
+                          {"cells", cells(result.complex)},
+                          {"cones", Json(std::vector(cones.begin(), cones.end()))}}) &&
+         line("betti", result.betti);
+}
+
+/// By edge of the complex.
+std::vector<ArcName> Writer::arc_names() const {
+  std::vector<ArcName> names;
+  for (const GluedInterface& i : assembly_.interface) {
+    const auto side = static_cast<std::size_t>(2 * i.diagram->rect.axis);
+    const auto own = own_diagram_.find(i.diagram.get());
+    const auto number = own != own_diagram_.end() ? own->second
+                        : i.diagram == subdivision_.leaf[i.low].face[side + 1]
+                            ? first_diagram_[i.low] + static_cast<std::uint32_t>(side) + 1
+                            : first_diagram_[i.high] + static_cast<std::uint32_t>(side);
+    const auto order = order_.find(number);
+    names.resize(std::max(names.size(), i.first_edge + i.diagram->arc.size()));
+    for (std::uint32_t k = 0; k < i.diagram->arc.size(); ++k) {
+      const ArcMatch match = order == order_.end() ? ArcMatch{k, false} : order->second[k];
+      names[i.first_edge + k] = {number, match.arc, match.reversed};
+    }
+  }
+  return names;
+}
+
+/// The collapses of values below theta, and what is left.
+bool Writer::write_collapses(const CellComplex& complex, const Filtration& filtration) {
+  const std::vector<ArcName> arcs = arc_names();
+  const CellNames names(geometry_, complex, edge_number_, arcs);
+  for (std::size_t s = 0; s < filtration.step.size(); ++s) {
+    const CollapseStep& step = filtration.step[s];
+    if (step.value >= *theta_) break;
+    const std::size_t end =
+        s + 1 < filtration.step.size() ? filtration.step[s + 1].begin : filtration.collapse.size();
+    for (std::size_t k = step.begin; k < end;) {
+      Json pairs = Json::array();
+      for (; k < end && pairs.size() < kMostPairs; ++k)
+        pairs.push_back(names.pair(filtration.collapse[k]));
+      if (!line("collapse",
+                {{"cost", step.cost}, {"value", step.value}, {"cells", std::move(pairs)}}))
+        return false;
+    }
+  }
+  const CellComplex left =
+      subcomplex(complex, closure_of_values(complex, filtration.value, *theta_)).complex;
+  return line("pruned", {{"theta", *theta_},
+                         {"euler", euler(left)},
+                         {"cells", cells(left)},
+                         {"betti", betti_numbers(left)}});
+}
+
 bool Writer::run(const MedialResult& result, const SubdivisionOptions& options) {
   if (!line("header", header(options)) || !write_tree(0, geometry_.candidates())) return false;
-  if (result.certified) {
-    for (const OwnInterface& i : assembly_.own_interface) {
-      const Rect& r = i.diagram->rect;
-      std::optional<Json> p = diagram(*i.diagram, subdivision_.leaf[i.leaf]);
-      if (!p) continue;  // the checker will say that it is missing
-      (*p)["rect"] = {r.axis, r.level, r.u0, r.u1, r.v0, r.v1};
-      (*p)["leaf"] = i.leaf;
-      if (!line("interface", *std::move(p))) return false;
-    }
-    std::map<std::uint32_t, std::size_t> cones;
-    for (const ComplexCone& c : result.complex.cone) ++cones[c.leaf];
-    const auto euler =
-        static_cast<long>(result.complex.vertex.size() + result.complex.triangle.size()) -
-        static_cast<long>(result.complex.edge.size());
-    if (!line("complex", {{"euler", euler},
-                          {"cells", cells(result.complex)},
-                          {"cones", Json(std::vector(cones.begin(), cones.end()))}}) ||
-        !line("betti", result.betti))
-      return false;
-  }
+  if (result.certified &&
+      (!write_interfaces() || !write_complex(result) ||
+       (theta_ && complete_ && !write_collapses(result.complex, *result.filtration))))
+    return false;
   return line("end", {{"certified", result.certified}, {"lines", lines_ + 1}});
 }
 
@@ -298,9 +392,10 @@ bool Writer::run(const MedialResult& result, const SubdivisionOptions& options) 
 
 bool write_certificate(const SiteGeometry& geometry, const Subdivision& subdivision,
                        const Assembly& assembly, const MedialResult& result,
-                       const SubdivisionOptions& options, EngineSet& engines,
-                       const CertificateSink& sink) {
-  return Writer(geometry, subdivision, assembly, engines, sink).run(result, options);
+                       const SubdivisionOptions& options, std::optional<double> theta_deg,
+                       EngineSet& engines, const CertificateSink& sink) {
+  BLUM_REQUIRE(!theta_deg || result.filtration);
+  return Writer(geometry, subdivision, assembly, theta_deg, engines, sink).run(result, options);
 }
 
 }  // namespace blum

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "blum/kernel/site_geometry.hpp"
@@ -15,11 +16,12 @@ namespace blum {
 struct Assembly;
 
 /// Writes the certificate of a result, line by line. The diagrams are computed again, with their
-/// reasons: it takes about as long as the subdivision, and no memory to speak of. Returns false if
-/// the sink did. What a result that is not certified lacks is in the certificate, too.
+/// reasons: it takes about as long as the subdivision, and no memory to speak of. With theta_deg
+/// the collapses of the filtration of lower values are in it (the result must have one). Returns
+/// false if the sink did. What a result that is not certified lacks is in the certificate, too.
 bool write_certificate(const SiteGeometry& geometry, const Subdivision& subdivision,
                        const Assembly& assembly, const MedialResult& result,
-                       const SubdivisionOptions& options, EngineSet& engines,
-                       const CertificateSink& sink);
+                       const SubdivisionOptions& options, std::optional<double> theta_deg,
+                       EngineSet& engines, const CertificateSink& sink);
 
 }  // namespace blum

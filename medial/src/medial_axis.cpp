@@ -126,14 +126,15 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
 Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
                              const AngleOptions& angles, const CertificateSink& certificate,
                              const AxisReview& review, DiagramKind kind) {
-  if (!(angles.tolerance_deg >= 0) || options.max_depth < 0 || options.threads < 1 ||
-      !(options.time_limit_s >= 0) || !(options.max_leaf_diameter >= 0) ||
-      (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
-    return Error{
-        ErrorCode::kBadArgument,
-        "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out of range",
-        "",
-        {}};
+  if (!(angles.tolerance_deg >= 0) || (angles.certified_theta_deg && !angles.wanted) ||
+      options.max_depth < 0 || options.threads < 1 || !(options.time_limit_s >= 0) ||
+      !(options.max_leaf_diameter >= 0) || (kind == DiagramKind::kVoronoi && !(options.margin > 0)))
+    return Error{ErrorCode::kBadArgument,
+                 "max_depth, threads, time_limit_s, max_leaf_diameter, margin or tolerance_deg out "
+                 "of range, "
+                 "or certified_theta_deg without angles",
+                 "",
+                 {}};
   if (options.engine == Engine::kCgal && kind == DiagramKind::kVoronoi)
     return Error{ErrorCode::kBadArgument, "the CGAL engine knows medial axes only", "", {}};
   if (options.engine == Engine::kCgal && !find_cgal_helper()) {
@@ -214,8 +215,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
   }
   if (certificate)
-    write_certificate(geometry, subdivided.value(), assembly, result, options, engines,
-                      certificate);
+    write_certificate(geometry, subdivided.value(), assembly, result, options,
+                      angles.certified_theta_deg, engines, certificate);
   result.stages = engines.stages();
   return result;
 }

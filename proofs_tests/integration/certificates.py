@@ -22,6 +22,47 @@ class Certificates(ToolTest):
                 self.expect(summary, 0)
                 self.assertIn("Betti numbers", summary.stdout)
 
+    def test_collapses_are_replayed(self):
+        # The second has faces that are decided again with other candidates: their arcs come in another
+        # order than in the complex.
+        for shape, options in ((["lbracket"], []), (["cuboid", "1", "2", "3"], ["--epsilon", "0.1"])):
+            with self.subTest(shape=shape):
+                self.certify(shape, "--theta", "120", *options)
+                result = self.blum("verify", "m.off", "m.cert")
+                self.expect(result, 0)
+                self.assertRegex(result.stdout, r"pruned +by 120 degrees: [1-9]\d* collapses")
+                summary = self.blum("certificate", "m.cert")
+                self.expect(summary, 0)
+                self.assertRegex(summary.stdout, r"pruned +by 120 degrees: [1-9]\d* collapses")
+
+    def test_collapse_left_out_is_false(self):
+        self.certify(["lbracket"], "--theta", "120")
+        lines = (self.folder / "m.cert").read_text().splitlines(keepends=True)
+        dropped = next(i for i, line in enumerate(lines) if line.startswith('{"collapse"'))
+        self.file("less.cert", "".join(lines[:dropped] + lines[dropped + 1:]))
+        result = self.blum("verify", "m.off", "less.cert")
+        self.expect(result, 4)
+        self.assertIn("FALSE           pruning: ", result.stdout)
+
+    def test_a_simplified_axis_that_may_be_torn_has_no_certificate(self):
+        self.expect(self.blum("make", "lbracket", "-o", "m.off"), 0)
+        result = self.blum("medial", "m.off", "--theta", "60", "--simplify", "sma", "--certificate",
+                           "m.cert")
+        self.expect(result, 1)
+        self.assertIn("--simplify sma: keeps no homotopy type", result.stderr)
+        self.assertNotIn("m.cert", self.names())
+
+    def test_another_version_is_unreadable(self):
+        self.certify(["cuboid"])
+        text = (self.folder / "m.cert").read_text()
+        for version, code in ((1, 2), (2, 0), (3, 0), (4, 2)):
+            self.file("other.cert", text.replace('"version":3', f'"version":{version}'))
+            result = self.blum("verify", "m.off", "other.cert")
+            self.expect(result, code)
+            if code != 0:
+                self.assertIn(f"version {version} of the format; this program reads 2 to 3",
+                              result.stderr)
+
     def test_other_model_is_false(self):
         self.certify(["cuboid"])
         self.expect(self.blum("make", "lbracket", "-o", "other.off"), 0)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -28,15 +29,21 @@ struct Certified {
   std::array<long, 3> betti{};
   std::vector<Json> record;
 
-  Certified(std::string title, const PolygonMesh& mesh, MedialOptions options = {})
+  /// With theta: pruned by it.
+  Certified(std::string title, const PolygonMesh& mesh, MedialOptions options = {},
+            std::optional<double> theta = {})
       : name(std::move(title)) {
     const Result<Solid> solid = build_solid(mesh);
     point = solid.value().point;
     for (const SolidTriangle& t : solid.value().triangle) triangle.push_back(t.vertex);
-    const auto result = compute_medial_axis(solid.value(), options, {}, [&](const std::string& line) {
-      record.push_back(Json::parse(line));
-      return true;
-    });
+    AngleOptions angles;
+    angles.wanted = theta.has_value();
+    angles.certified_theta_deg = theta;
+    const auto result =
+        compute_medial_axis(solid.value(), options, angles, [&](const std::string& line) {
+          record.push_back(Json::parse(line));
+          return true;
+        });
     betti = result.value().solid_betti;
     EXPECT_TRUE(result.value().certified) << name;
   }

@@ -1,6 +1,7 @@
 #include "mutations.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace blum::test {
 namespace {
@@ -110,7 +111,7 @@ const std::vector<Mutation>& false_mutations() {
          if (below(random, 2) == 0)
            r[0]["header"]["format"] = "blum-certificat";
          else
-           r[0]["header"]["version"] = 3 + below(random, 9);
+           r[0]["header"]["version"] = verify::kFormatVersion + 1 + below(random, 9);
          return true;
        }},
       {"of another model",
@@ -536,6 +537,11 @@ const std::vector<Mutation>& true_mutations() {
          r[0]["header"]["options"]["seed"] = below(random, 100);
          return true;
        }},
+      {"the version before, which had no pruning",
+       [](const C&, Records& r, Random&) {
+         r[0]["header"]["version"] = 2;
+         return true;
+       }},
       {"reorder the cones",
        [](const C&, Records& r, Random&) {
          Json& cones = r[r.size() - 3]["complex"]["cones"];
@@ -544,6 +550,42 @@ const std::vector<Mutation>& true_mutations() {
        }},
   };
   return list;
+}
+
+void apply_all(const std::vector<Certified>& certificates, const std::vector<Mutation>& mutations,
+               int times, bool meaning_kept) {
+  std::map<std::string, int> applied;
+  Random random(20);
+  for (const Certified& c : certificates) {
+    ASSERT_EQ(check(c, c.record).outcome, verify::Answer::Outcome::kVerified) << c.name;
+    for (const Mutation& m : mutations)
+      for (int k = 0; k < times; ++k) {
+        auto records = c.record;
+        bool possible = false;
+        for (int attempt = 0; attempt < 20 && !possible; ++attempt) {
+          records = c.record;
+          possible = m.apply(c, records, random);
+        }
+        if (!possible) continue;
+        ++applied[m.name];
+        const verify::Answer answer = check(c, records);
+        if (meaning_kept)
+          EXPECT_EQ(answer.outcome, verify::Answer::Outcome::kVerified)
+              << c.name << ", " << m.name << ", " << k << ": " << answer.statement;
+        else
+          EXPECT_NE(answer.outcome, verify::Answer::Outcome::kVerified)
+              << c.name << ", " << m.name << ", " << k;
+        if (answer.outcome != verify::Answer::Outcome::kVerified) {
+          EXPECT_FALSE(answer.statement.empty()) << m.name;
+        }
+      }
+  }
+  int total = 0;
+  for (const Mutation& m : mutations) {
+    EXPECT_GT(applied[m.name], 0) << m.name << " was never possible";
+    total += applied[m.name];
+  }
+  std::cout << total << " changes of " << mutations.size() << " kinds\n";
 }
 
 }  // namespace blum::test

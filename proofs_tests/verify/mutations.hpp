@@ -16,4 +16,8 @@ struct Mutation {
 [[nodiscard]] const std::vector<Mutation>& false_mutations();
 [[nodiscard]] const std::vector<Mutation>& true_mutations();
 
+/// Applies every mutation `times` times to every certificate and looks at what the checker says.
+void apply_all(const std::vector<Certified>& certificates, const std::vector<Mutation>& mutations,
+               int times, bool meaning_kept);
+
 }  // namespace blum::test

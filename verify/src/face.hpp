@@ -62,6 +62,7 @@ struct FaceMap {
     std::vector<Site> labels;  ///< sorted, all governors of its points
     std::uint32_t piece = 0;
   };
+  std::uint32_t number = 0;  ///< among the diagrams of the certificate
   Rect rect;
   std::array<Line, 4> side;  ///< low v, high u, high v, low u
   std::array<std::vector<std::uint32_t>, 4> side_region;

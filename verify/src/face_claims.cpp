@@ -1,11 +1,11 @@
 #include "face_claims.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "failure.hpp"
+#include "gains.hpp"
 
 namespace blum::verify {
 namespace {
@@ -26,83 +26,6 @@ Vec<Rational> vector_of(const Part& part, const Direction& d) {
   return w;
 }
 
-/// Sign of (p - q).w for two vertices.
-int ahead(const Shape& shape, const Vec<Rational>& w, std::uint32_t q, std::uint32_t p) {
-  return p == q ? 0 : sgn(inner(shape.along<Rational>(q, p), w));
-}
-
-/// D'': a plane across w parts a (ahead) from b; where they meet it goes through a common corner.
-bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
-                const Vec<Rational>& w) {
-  const auto common = common_corners(shape, a, b);
-  if (common.empty())
-    return std::ranges::all_of(shape.corners(a), [&](std::uint32_t p) {
-      return std::ranges::all_of(shape.corners(b),
-                                 [&](std::uint32_t q) { return ahead(shape, w, q, p) > 0; });
-    });
-  const auto v = common.front();
-  // One lies on its side and may touch the plane, the other strictly, but for v and an edge from
-  // there that holds no foot.
-  const auto parted = [&](Site s, int sign, bool strictly) {
-    int on_plane = 0;
-    for (const auto p : shape.corners(s)) {
-      if (p == v) continue;
-      const int side = ahead(shape, w, v, p);
-      if (side == sign || (side == 0 && !strictly)) continue;
-      if (side != 0 || ++on_plane > 1 || feet.vertex(p) || feet.edge(v, p)) return false;
-    }
-    return true;
-  };
-  return (parted(a, 1, true) && parted(b, -1, false)) ||
-         (parted(a, 1, false) && parted(b, -1, true));
-}
-
-/// Bounds of the products with w of all gradients that the distance to a site can have where it
-/// governs (docs/proofs.md, "Fans"); of none for a vertex.
-std::optional<std::array<double, 2>> fan(const Exclusion& exclusion, Site s, const BallVector& w) {
-  const Shape& shape = exclusion.sites().shape();
-  const auto inward = [&](std::uint32_t t) { return exclusion.unit(shape.face_site(t)); };
-  if (shape.kind(s) == Kind::kVertex) return std::nullopt;
-  if (shape.kind(s) == Kind::kFace) {
-    const Ball c = -dot(inward(shape.element(s)), w);
-    return std::array{c.low(), c.high()};
-  }
-  const auto& side = shape.edge[shape.element(s)].triangle;
-  const BallVector a = inward(side[0]), b = inward(side[1]), sum = plus(a, b);
-  const Ball ca = -dot(a, w), cb = -dot(b, w);
-  double low = std::min(ca.low(), cb.low()), high = std::max(ca.high(), cb.high());
-  const double square = dot(sum, sum).low();
-  if (!(square > 0)) return std::nullopt;
-  const double stretch = 2 / std::sqrt(square) * (1 + 0x1p-40);  // p + q of p a + q b of length 1
-  if (low < 0) low *= stretch;
-  if (high > 0) high *= stretch;
-  return std::array{low, high};
-}
-
-bool gains_by_fans(const Exclusion& exclusion, Site a, Site b, const Vec<Rational>& w) {
-  const BallVector v{enclose(w[0]), enclose(w[1]), enclose(w[2])};
-  const auto fa = fan(exclusion, a, v), fb = fan(exclusion, b, v);
-  return fa && fb && (*fa)[1] < (*fb)[0];
-}
-
-}  // namespace
-
-namespace {
-
-/// Does a gain on b along w, wherever in the part both govern?
-bool gains(const Part& part, const SharedFeet& feet, Site a, Site b, const Vec<Rational>& w) {
-  const Sites& sites = part.exclusion.sites();
-  return std::ranges::all_of(BoxCorners(part.box),
-                             [&](const Point3& x) { return sites.slope(x, a, b, w) < 0; }) ||
-         gains_by_fans(part.exclusion, a, b, w) ||
-         (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w));
-}
-
-/// Sites of two groups that never tie essentially govern no point together (Lemma 1).
-bool may_both_govern(const Part& part, Site a, Site b) {
-  return !part.exclusion.sites().never_essential(a, b) && !part.exclusion.never_tie(a, b, part.box);
-}
-
 }  // namespace
 
 void check_directions(const Part& part, const Groups& groups, const SharedFeet& feet,
@@ -116,9 +39,11 @@ void check_directions(const Part& part, const Groups& groups, const SharedFeet& 
   for (std::size_t i = 0; i < part.sites.size(); ++i)
     for (std::size_t j = 0; j < part.sites.size(); ++j) {
       const auto g = groups.of[i];
-      if (g == groups.of[j] || !may_both_govern(part, part.sites[i], part.sites[j])) continue;
+      if (g == groups.of[j] ||
+          !may_both_govern(part.exclusion, part.box, part.sites[i], part.sites[j]))
+        continue;
       require(w[g].has_value(), "Theorem D': a group without direction");
-      require(gains(part, feet, part.sites[i], part.sites[j], *w[g]),
+      require(gains(part.exclusion, part.box, feet, part.sites[i], part.sites[j], *w[g]),
               "Theorem D': a group does not gain along its direction");
     }
 }
@@ -155,13 +80,13 @@ void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet
       if (g == h) continue;
       const auto c = third.find(ordered(a, b));
       if ((c != third.end() && part.exclusion.nearer_at_ties(c->second, a, b, part.box)) ||
-          !may_both_govern(part, a, b))
+          !may_both_govern(part.exclusion, part.box, a, b))
         continue;
       ties.insert(ordered(g, h));
       const auto forth = along.find({g, h}), back = along.find({h, g});
       require(forth != along.end() || back != along.end(), "chords: two groups without direction");
-      require(forth != along.end() ? gains(part, feet, a, b, forth->second)
-                                   : gains(part, feet, b, a, back->second),
+      require(forth != along.end() ? gains(part.exclusion, part.box, feet, a, b, forth->second)
+                                   : gains(part.exclusion, part.box, feet, b, a, back->second),
               "chords: a group does not gain along the direction");
     }
   for (const Pair& p : ties)

@@ -22,7 +22,8 @@ struct Interface {
 constexpr const char *kTie = "ties", *kEvent = "events", *kRim = "rims",
                      *kConvexPoint = "convex points", *kConvexVertex = "convex vertices",
                      *kApex = "apices", *kArc = "arcs", *kConvexEdge = "convex edges",
-                     *kSpoke = "spokes";
+                     *kSpoke = "spokes", *kTriangle = "triangles";
+using Name = Complex::Name;
 
 using LineKey = std::tuple<int, double, double>;
 LineKey key_of(const Segment& s) { return {s.axis, s.u, s.v}; }
@@ -43,14 +44,13 @@ class Gluer {
   void number_ties();
   void add_interface(const Interface& i);
   void add_leaf(std::uint32_t index);
-  std::uint32_t vertex(const char* origin) {
-    ++complex_.cells[origin];
-    return static_cast<std::uint32_t>(complex_.vertices++);
+  std::uint32_t add(const Complex::Cell& cell) {
+    complex_.cell.push_back(cell);
+    return static_cast<std::uint32_t>(complex_.cell.size() - 1);
   }
+  std::uint32_t vertex(const char* origin) { return add({origin}); }
   std::uint32_t edge(std::uint32_t a, std::uint32_t b, const char* origin) {
-    ++complex_.cells[origin];
-    complex_.edge.push_back({a, b});
-    return static_cast<std::uint32_t>(complex_.edge.size() - 1);
+    return add({origin, {a, b}, 1});
   }
 
   const Shape& shape_;
@@ -165,8 +165,11 @@ void Gluer::add_interface(const Interface& i) {
     if (node.kind == FaceMap::Node::Kind::kConvexEdge)
       for (const auto leaf : {i.low, i.high}) crossing_[leaf][node.edge].push_back(vertex_of[n]);
   }
-  for (const FaceMap::Arc& a : map.arc) {
-    const auto id = edge(vertex_of[a.node[0]], vertex_of[a.node[1]], kArc);
+  complex_.diagram[map.number] = &map;
+  for (std::uint32_t k = 0; k < map.arc.size(); ++k) {
+    const auto& node = map.arc[k].node;
+    const auto id = edge(vertex_of[node[0]], vertex_of[node[1]], kArc);
+    complex_.named[{Name::kArc, map.number, k}] = id;
     for (const auto leaf : {i.low, i.high}) arcs_[leaf].push_back(id);
   }
 }
@@ -188,32 +191,34 @@ void Gluer::add_leaf(std::uint32_t index) {
         bool named = false;
         for (const auto e : shape_.edges_at[v]) {
           if (shape_.edge[e].bend != Bend::kConvex) continue;
-          if (!named) name = vertex(kConvexVertex);
+          if (!named) name = complex_.named[{Name::kCorner, v, 0}] = vertex(kConvexVertex);
           named = true;
           ends[e].push_back(name);
         }
       }
     for (const auto& [e, list] : ends) {
       require(list.size() == 2, "gluing: a convex edge has not two ends in a leaf");
-      arcs.push_back(edge(list[0], list[1], kConvexEdge));
+      arcs.push_back(complex_.named[{Name::kConvexEdge, e, index}] =
+                         edge(list[0], list[1], kConvexEdge));
     }
   }
   UnionFind graph;
   std::map<std::uint32_t, std::uint32_t> local, apex, spoke;
   for (const auto a : arcs)
-    for (const auto v : complex_.edge[a]) {
+    for (const auto v : complex_.cell[a].faces()) {
       if (local.try_emplace(v, graph.size()).second) graph.add();
-      graph.unite(local.at(complex_.edge[a][0]), local.at(v));
+      graph.unite(local.at(complex_.cell[a].face[0]), local.at(v));
     }
   for (const auto& [v, l] : local) {
     const auto [it, fresh] = apex.try_emplace(graph.find(l), 0u);
     if (fresh) it->second = vertex(kApex);
-    spoke[v] = edge(v, it->second, kSpoke);
+    spoke[v] = complex_.named[{Name::kCone, index, v}] = edge(v, it->second, kSpoke);
   }
   complex_.cones[index] = apex.size();
   for (const auto a : arcs) {
-    const auto [v, w] = complex_.edge[a];
-    complex_.triangle.push_back({a, spoke.at(v), spoke.at(w)});
+    const auto& end = complex_.cell[a].face;
+    complex_.named[{Name::kCone, index, a}] =
+        add({kTriangle, {a, spoke.at(end[0]), spoke.at(end[1])}, 2});
   }
 }
 
@@ -221,9 +226,6 @@ Complex Gluer::run() {
   arcs_.resize(leaf_.size());
   crossing_.resize(leaf_.size());
   complex_.cones.assign(leaf_.size(), 0);
-  for (const char* origin :
-       {kTie, kEvent, kRim, kConvexPoint, kConvexVertex, kApex, kArc, kConvexEdge, kSpoke})
-    complex_.cells[origin] = 0;
   for (std::uint32_t n = 0; n < node_.size(); ++n) {
     const CellNode& c = node_[n];
     if (c.axis < 0) continue;
@@ -244,41 +246,44 @@ Complex glue(const Exclusion& exclusion, std::span<const CellNode> node, std::sp
   return Gluer(exclusion, node, leaf, interface_map).run();
 }
 
-std::array<long, 3> betti_numbers(const Complex& c) {
-  const auto vertices = static_cast<phat::index>(c.vertices),
-             edges = static_cast<phat::index>(c.edge.size()),
-             triangles = static_cast<phat::index>(c.triangle.size());
+std::map<std::string, std::size_t> count_cells(const Complex& complex,
+                                               const std::vector<bool>& gone) {
+  std::map<std::string, std::size_t> count;
+  for (const char* origin :
+       {kTie, kEvent, kRim, kConvexPoint, kConvexVertex, kApex, kArc, kConvexEdge, kSpoke})
+    count[origin] = 0;
+  for (std::size_t c = 0; c < complex.cell.size(); ++c)
+    if (!gone[c] && complex.cell[c].dimension < 2) ++count[complex.cell[c].origin];
+  return count;
+}
+
+std::array<long, 3> betti_numbers(const Complex& complex, const std::vector<bool>& gone) {
   phat::boundary_matrix<phat::sparse_pivot_column> matrix;
-  matrix.set_num_cols(vertices + edges + triangles);
-  phat::column rows;
-  phat::index column = 0;
-  const auto add = [&](phat::dimension dimension) {
-    std::ranges::sort(rows);
-    phat::column odd;  // over Z/2 two equal rows cancel
-    for (const auto r : rows) {
-      if (!odd.empty() && odd.back() == r)
-        odd.pop_back();
-      else
-        odd.push_back(r);
+  matrix.set_num_cols(static_cast<phat::index>(complex.cell.size()));
+  std::array<long, 4> cells{}, rank{};  // by dimension
+  for (std::size_t c = 0; c < complex.cell.size(); ++c) {
+    const Complex::Cell& cell = complex.cell[c];
+    phat::column odd;  // over Z/2 two equal faces cancel
+    if (!gone[c]) {
+      ++cells[cell.dimension];
+      phat::column faces(cell.faces().begin(), cell.faces().end());
+      std::ranges::sort(faces);
+      for (const auto f : faces) {
+        if (!odd.empty() && odd.back() == f)
+          odd.pop_back();
+        else
+          odd.push_back(f);
+      }
     }
-    matrix.set_dim(column, dimension);
-    matrix.set_col(column++, odd);
-  };
-  while (column < vertices) add(0);
-  for (const auto& [a, b] : c.edge) {
-    rows.assign({a, b});
-    add(1);
-  }
-  for (const auto& t : c.triangle) {
-    rows.clear();
-    for (const auto e : t) rows.push_back(vertices + static_cast<phat::index>(e));
-    add(2);
+    matrix.set_dim(static_cast<phat::index>(c), static_cast<phat::dimension>(cell.dimension));
+    matrix.set_col(static_cast<phat::index>(c), odd);
   }
   phat::twist_reduction()(matrix);
-  std::array<long, 3> rank{};
-  for (phat::index k = 0; k < column; ++k)
-    if (!matrix.is_empty(k)) ++rank[matrix.get_dim(k)];
-  return {vertices - rank[1], edges - rank[1] - rank[2], triangles - rank[2]};
+  for (phat::index c = 0; c < matrix.get_num_cols(); ++c)
+    if (!matrix.is_empty(c)) ++rank[static_cast<std::size_t>(matrix.get_dim(c))];
+  std::array<long, 3> betti{};
+  for (std::size_t d = 0; d < 3; ++d) betti[d] = cells[d] - rank[d] - rank[d + 1];
+  return betti;
 }
 
 }  // namespace blum::verify

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "cell.hpp"
 
@@ -29,19 +32,37 @@ struct Leaf {
 /// Asked for the diagram on a rectangle between two leaves that is no face of either.
 using InterfaceMap = std::function<const FaceMap&(const Rect&)>;
 
+/// Cells are numbered; the faces of a cell before it.
 struct Complex {
-  std::size_t vertices = 0;
-  std::vector<std::array<std::uint32_t, 2>> edge;
-  std::vector<std::array<std::uint32_t, 3>> triangle;  ///< edges
-  std::vector<std::size_t> cones;                      ///< by leaf
-  std::map<const char*, std::size_t> cells;            ///< by origin, as named in certificates
+  struct Cell {
+    const char* origin;                   ///< as named in certificates
+    std::array<std::uint32_t, 3> face{};  ///< an edge's ends, a triangle's edges
+    std::uint32_t dimension = 0;
+    [[nodiscard]] std::span<const std::uint32_t> faces() const {
+      return std::span(face).first(dimension == 0 ? 0 : dimension + 1);
+    }
+  };
+  /// What certificates name: arcs by diagram and place in it, convex edges by leaf and boundary
+  /// edge, corners by vertex, spokes and triangles by leaf and base.
+  enum class Name : std::uint8_t { kArc, kConvexEdge, kCorner, kCone };
+  using Key = std::tuple<Name, std::uint32_t, std::uint32_t>;
+
+  std::vector<Cell> cell;
+  std::vector<std::size_t> cones;  ///< by leaf
+  std::map<Key, std::uint32_t> named;
+  std::map<std::uint32_t, const FaceMap*> diagram;  ///< those that arcs are named by
 };
+
+/// Vertices and edges that are not gone, by origin.
+[[nodiscard]] std::map<std::string, std::size_t> count_cells(const Complex& complex,
+                                                             const std::vector<bool>& gone);
 
 /// Glues the cones of all leaves. Throws Failure where two leaves disagree.
 [[nodiscard]] Complex glue(const Exclusion& exclusion, std::span<const CellNode> node,
                            std::span<const Leaf> leaf, const InterfaceMap& interface_map);
 
-/// Over Z/2.
-[[nodiscard]] std::array<long, 3> betti_numbers(const Complex& complex);
+/// Over Z/2, of the cells that are not gone: a closed set.
+[[nodiscard]] std::array<long, 3> betti_numbers(const Complex& complex,
+                                                const std::vector<bool>& gone);
 
 }  // namespace blum::verify

@@ -23,7 +23,7 @@ bool holds(const std::array<double, 4>& a, const std::array<double, 4>& b) {
 
 }  // namespace
 
-void check_graph(const FaceMap& map, const Graph& claimed) {
+void check_graph(FaceMap& map, const Graph& claimed) {
   std::vector<bool> loop(map.node.size(), false);
   for (const FaceMap::Arc& a : map.arc)
     if (a.node[0] == a.node[1]) loop[a.node[0]] = true;
@@ -60,6 +60,7 @@ void check_graph(const FaceMap& map, const Graph& claimed) {
   };
   require(map.arc.size() == claimed.arc.size(), "diagram: another number of arcs");
   std::vector<bool> taken(claimed.arc.size(), false);
+  std::vector<FaceMap::Arc> arcs(claimed.arc.size());
   for (const FaceMap::Arc& own : map.arc) {
     const GraphEnd p = end_of(own.node[0]), q = end_of(own.node[1]);
     const auto fits = [&](const GraphArc& a) {
@@ -71,7 +72,10 @@ void check_graph(const FaceMap& map, const Graph& claimed) {
     while (k < taken.size() && (taken[k] || !fits(claimed.arc[k]))) ++k;
     require(k < taken.size(), "diagram: an arc is missing, or not between these sites");
     taken[k] = true;
+    arcs[k] = own;
+    if (claimed.arc[k].end[0] != p) std::swap(arcs[k].node[0], arcs[k].node[1]);
   }
+  map.arc = std::move(arcs);
 }
 
 }  // namespace blum::verify

@@ -28,7 +28,8 @@ struct Graph {
 };
 
 /// Is this the graph of `map`: the same arcs between the same ends, with governors of the regions
-/// beside them, and boxes that isolate the events? Order does not matter. Throws Failure.
-void check_graph(const FaceMap& map, const Graph& claimed);
+/// beside them, and boxes that isolate the events? Throws Failure. The arcs of `map` get the order
+/// and the directions claimed, which the rest of the certificate refers to.
+void check_graph(FaceMap& map, const Graph& claimed);
 
 }  // namespace blum::verify

@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "failure.hpp"
+#include "gains.hpp"
 #include "inside.hpp"
 
 namespace blum::verify {
 namespace {
 
-constexpr int kMaxDepth = 100;
+constexpr int kMaxDepth = 100, kPatience = 12;  // bisections; halves are the cheaper reason first
 
 Box3 hull(const Segment& s, double a, double b) {
   return {at(s, std::min(a, b)), at(s, std::max(a, b))};
@@ -34,7 +35,8 @@ std::optional<Site> LineSolver::label(const Point3& x, std::span<const Site> can
 }
 
 bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
-                             std::span<const Site> sites, const Groups& groups, const SharedFeet&,
+                             std::span<const Site> sites, const Groups& groups,
+                             const SharedFeet& feet, bool thorough,
                              std::vector<Change>& out) const {
   if (!groups.cliques) return false;
   const auto first = groups.find(sites, a.label), last = groups.find(sites, b.label);
@@ -42,22 +44,33 @@ bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const Str
   const Box3 box = hull(line, a.t, b.t);
   Vec<Rational> w{};
   w[line.axis] = 1;
-  // Theorem D' on a line: along which of the two ways does each group gain on all others?
-  std::vector<std::array<bool, 2>> gains(groups.count, {true, true});
+  // Where the governor may change from one group to another: a pair where the first does not gain.
+  const std::uint32_t n = groups.count;
+  std::vector<bool> walk(std::size_t{n} * n, false);
   for (std::size_t i = 0; i < sites.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (groups.of[i] == groups.of[j] || exclusion_.never_tie(sites[i], sites[j], box)) continue;
-      const int low = exclusion_.sites().slope(box.lo, sites[i], sites[j], w),
-                high = exclusion_.sites().slope(box.hi, sites[i], sites[j], w);
-      const int s = low == high ? low : 0;
-      auto &gi = gains[groups.of[i]], &gj = gains[groups.of[j]];
-      gi[0] &= s < 0;
-      gi[1] &= s > 0;
-      gj[0] &= s > 0;
-      gj[1] &= s < 0;
+      const Site p = sites[i], q = sites[j];
+      const std::size_t forth = groups.of[i] * n + groups.of[j],
+                        back = groups.of[j] * n + groups.of[i];
+      if (forth == back || (walk[forth] && walk[back]) || exclusion_.never_tie(p, q, box) ||
+          (thorough && !may_both_govern(exclusion_, box, p, q)))
+        continue;
+      const int low = exclusion_.sites().slope(box.lo, p, q, w),
+                high = exclusion_.sites().slope(box.hi, p, q, w);
+      const auto gain = [&](int sign, Site x, Site y) {
+        return (low == sign && high == sign) || (thorough && gains(exclusion_, box, feet, x, y, w));
+      };
+      if (!gain(-1, p, q)) walk[forth] = true;
+      if (!gain(1, q, p)) walk[back] = true;
     }
-  for (std::uint32_t g = 0; g < groups.count; ++g)
-    if (!(first == last && g == first) && !gains[g][0] && !gains[g][1]) return false;
+  // Every walk from the first to the last has one step (none, if they are the same)?
+  for (std::uint32_t k = 0; k < n; ++k)
+    for (std::uint32_t g = 0; g < n; ++g)
+      for (std::uint32_t h = 0; walk[g * n + k] && h < n; ++h)
+        if (walk[k * n + h]) walk[g * n + h] = true;
+  if (walk[first * n + first] || walk[last * n + last]) return false;
+  for (std::uint32_t k = 0; first != last && k < n; ++k)
+    if (walk[first * n + k] && walk[k * n + last]) return false;
   if (first != last) out.push_back({false, 0, a, b});
   return true;
 }
@@ -67,8 +80,12 @@ void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd
   const Box3 box = hull(line, a.t, b.t);
   const std::vector<Site> sites = exclusion_.remaining(candidates, box);
   const SharedFeet feet(exclusion_, sites, box);
-  const Groups ties_groups = groups_by_ties(exclusion_.sites(), sites);
-  if (at_most_one(line, a, b, sites, ties_groups, feet, out)) return;
+  const bool thorough = depth >= kPatience;
+  if (at_most_one(line, a, b, sites, groups_by_ties(exclusion_.sites(), sites), feet, thorough,
+                  out) ||
+      (thorough && at_most_one(line, a, b, sites, groups_by_feet(exclusion_.sites(), sites, feet),
+                               feet, thorough, out)))
+    return;
   require(depth < kMaxDepth, "line: bisection does not decide (Theorem D' on a line)");
   for (const double share : {0.5, 0.4375, 0.53125, 0.4609375}) {
     const double m = a.t + share * (b.t - a.t);

@@ -56,9 +56,11 @@ class LineSolver {
  private:
   void ties(const Segment& line, const StretchEnd& a, const StretchEnd& b,
             std::span<const Site> candidates, std::vector<Change>& out, int depth) const;
+  /// "Lines" of docs/proofs.md; by slopes at the ends alone, unless thorough.
   [[nodiscard]] bool at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
                                  std::span<const Site> sites, const Groups& groups,
-                                 const SharedFeet& feet, std::vector<Change>& out) const;
+                                 const SharedFeet& feet, bool thorough,
+                                 std::vector<Change>& out) const;
 
   const Exclusion& exclusion_;
 };

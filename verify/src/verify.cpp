@@ -9,13 +9,15 @@
 #include "failure.hpp"
 #include "glue.hpp"
 #include "inside.hpp"
+#include "pruning.hpp"
 #include "reader.hpp"
 
 namespace blum::verify {
 namespace {
 
 constexpr const char* kFormat = "blum-certificate";
-constexpr int kVersion = 2, kMaxDepth = 1000;
+constexpr int kOldestVersion = 2, kMaxDepth = 1000;
+constexpr std::size_t kMostVersions = 1000;
 constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
 constexpr std::size_t kMostCells = 0xffffffffu;
 
@@ -57,6 +59,9 @@ class Checker {
   [[nodiscard]] bool inside(const Point3& x);
   void check_interfaces();
   void check_complex();
+  void check_counts(const Complex& complex, const std::vector<bool>& gone, const nlohmann::json& j,
+                    const nlohmann::json& betti, const std::string& what);
+  void check_pruning(const Complex& complex);
 
   const Shape& shape_;
   Sites sites_;
@@ -70,6 +75,7 @@ class Checker {
   std::map<std::array<double, 6>, FaceMap> interface_;
   std::map<std::array<double, 3>, bool> inside_;
   double done_ = 0;
+  int version_ = 0;
 };
 
 std::array<double, 6> key_of(const Rect& r) {
@@ -127,7 +133,7 @@ FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
                                  std::span<const std::uint32_t> triangles, Lines& lines) {
   const std::vector<PartNode> nodes = read_parts(j.at("parts"), shape_);
   const Graph graph = read_graph(j.at("graph"), shape_);
-  ++answer_.faces;
+  const auto number = static_cast<std::uint32_t>(answer_.faces++);
   answer_.parts += nodes.size();
   std::array<Line, 4> side;
   for (int s = 0; s < 4; ++s) {
@@ -139,6 +145,7 @@ FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
     side[static_cast<std::size_t>(s)] = it->second;
   }
   FaceMap map = check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  map.number = number;
   check_graph(map, graph);
   return map;
 }
@@ -249,24 +256,50 @@ void Checker::check_complex() {
     cones[leaf] = read_index(c.at(1), kMostCells);
   }
   require(cones == complex.cones, "the complex has other cones than the leaves give");
-  for (const auto& [name, count] : complex.cells)
+  const std::vector<bool> gone(complex.cell.size(), false);
+  check_counts(complex, gone, j, reader_.next("betti"), "the complex");
+  answer_.betti = betti_numbers(complex, gone);
+  if (reader_.at("collapse") || reader_.at("pruned")) check_pruning(complex);
+}
+
+/// What is said of the cells that are not gone.
+void Checker::check_counts(const Complex& complex, const std::vector<bool>& gone,
+                           const nlohmann::json& j, const nlohmann::json& betti,
+                           const std::string& what) {
+  for (const auto& [name, count] : count_cells(complex, gone))
     require(read_index(j.at("cells").at(name), kMostCells) == count,
-            std::string("the complex has another number of cells: ") + name);
-  const auto euler = static_cast<double>(complex.vertices + complex.triangle.size()) -
-                     static_cast<double>(complex.edge.size());
-  require(read_number(j.at("euler")) == euler, "the complex has another Euler characteristic");
-  answer_.betti = betti_numbers(complex);
-  const nlohmann::json betti = reader_.next("betti");
+            what + " has another number of cells: " + name);
+  long euler = 0;
+  for (std::size_t c = 0; c < gone.size(); ++c)
+    if (!gone[c]) euler += complex.cell[c].dimension == 1 ? -1 : 1;
+  require(read_number(j.at("euler")) == static_cast<double>(euler),
+          what + " has another Euler characteristic");
+  const auto found = betti_numbers(complex, gone);
   for (std::size_t k = 0; k < 3; ++k)
-    require(read_index(betti.at(k), kMostCells) == static_cast<std::uint64_t>(answer_.betti[k]),
-            "the complex has other Betti numbers");
-  require(answer_.betti == shape_.betti(), "the Betti numbers are not those of the solid");
+    require(read_index(betti.at(k), kMostCells) == static_cast<std::uint64_t>(found[k]),
+            what + " has other Betti numbers");
+  require(found == shape_.betti(), "the Betti numbers are not those of the solid");
+}
+
+void Checker::check_pruning(const Complex& complex) {
+  if (version_ < kFormatVersion) throw Unreadable("pruning, which this version has not");
+  Pruning pruning(shape_, complex);
+  while (reader_.at("collapse")) pruning.collapse(reader_.next("collapse"));
+  const nlohmann::json j = reader_.next("pruned");
+  answer_.theta_deg = pruning.end(j);
+  answer_.collapses = pruning.collapses();
+  answer_.pieces = pruning.pieces();
+  answer_.angles = pruning.angles();
+  check_counts(complex, pruning.gone(), j, j.at("betti"), "the pruned complex");
 }
 
 void Checker::run(const std::string& fingerprint) {
   const nlohmann::json header = reader_.next("header");
   if (header.at("format") != kFormat) throw Unreadable("not a certificate of blum");
-  if (header.at("version") != kVersion) throw Unreadable("an unknown version of the format");
+  version_ = static_cast<int>(read_index(header.at("version"), kMostVersions));
+  if (version_ > kFormatVersion || version_ < kOldestVersion)
+    throw Unreadable("version " + std::to_string(version_) + " of the format; this program reads " +
+                     std::to_string(kOldestVersion) + " to " + std::to_string(kFormatVersion));
   require(header.at("model").at("fingerprint") == fingerprint &&
               header.at("model").at("points") == shape_.point.size() &&
               header.at("model").at("triangles") == shape_.triangle.size(),

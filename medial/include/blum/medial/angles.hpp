@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "blum/medial/complex.hpp"
@@ -30,6 +31,9 @@ struct AngleOptions {
   bool wanted = false;
   double tolerance_deg = 1;          ///< a part is refined until its interval is as narrow
   std::size_t boxes_per_part = 500;  ///< or so many boxes have been looked at
+  /// Degrees: the certificate, where one is written, holds the collapses of values below this, as
+  /// simplified() by Simplify::kHomotopy has them. Requires `wanted`.
+  std::optional<double> certified_theta_deg{};
 };
 
 struct PartAngles {

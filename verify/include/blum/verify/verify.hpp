@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -24,6 +25,9 @@ struct Model {
   std::span<const Point3> point;
   std::span<const std::array<std::uint32_t, 3>> triangle;
 };
+
+/// Of docs/certificate.md. The version before, which had no pruning, is read too.
+inline constexpr int kFormatVersion = 3;
 
 /// Identifies a model in certificates. Not cryptographic: a certificate is checked against the
 /// model given, whatever it says.
@@ -40,6 +44,10 @@ struct Answer {
   std::size_t line = 0;  ///< of the certificate, where it matters
   std::size_t leaves = 0, faces = 0, parts = 0, exclusions = 0;
   std::array<long, 3> betti{};  ///< kVerified
+  /// Pruning, where the certificate has it: cells that go in pairs; of the pieces of sheets among
+  /// them, those whose angle was compared with the cost (docs/certificate.md), and all.
+  std::optional<double> theta_deg;
+  std::size_t collapses = 0, angles = 0, pieces = 0;
 };
 
 /// Reads the certificate once, line by line. progress(fraction of leaves' volume) may return false

@@ -1,0 +1,141 @@
+#include "gains.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blum::verify {
+namespace {
+
+/// Sign of (p - q).w for two vertices.
+int ahead(const Shape& shape, const Vec<Rational>& w, std::uint32_t q, std::uint32_t p) {
+  return p == q ? 0 : sgn(inner(shape.along<Rational>(q, p), w));
+}
+
+/// D'': a plane across w parts a (ahead) from b; where they meet it goes through a common corner.
+bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
+                const Vec<Rational>& w) {
+  const auto common = common_corners(shape, a, b);
+  if (common.empty())
+    return std::ranges::all_of(shape.corners(a), [&](std::uint32_t p) {
+      return std::ranges::all_of(shape.corners(b),
+                                 [&](std::uint32_t q) { return ahead(shape, w, q, p) > 0; });
+    });
+  const auto v = common.front();
+  // One lies on its side and may touch the plane, the other strictly, but for v and an edge from
+  // there that holds no foot.
+  const auto parted = [&](Site s, int sign, bool strictly) {
+    int on_plane = 0;
+    for (const auto p : shape.corners(s)) {
+      if (p == v) continue;
+      const int side = ahead(shape, w, v, p);
+      if (side == sign || (side == 0 && !strictly)) continue;
+      if (side != 0 || ++on_plane > 1 || feet.vertex(p) || feet.edge(v, p)) return false;
+    }
+    return true;
+  };
+  return (parted(a, 1, true) && parted(b, -1, false)) ||
+         (parted(a, 1, false) && parted(b, -1, true));
+}
+
+/// Bounds of the products with w of all gradients that the distance to a site can have where it
+/// governs (docs/proofs.md, "Fans"); of none for a vertex.
+std::optional<std::array<double, 2>> fan(const Exclusion& exclusion, Site s, const BallVector& w) {
+  const Shape& shape = exclusion.sites().shape();
+  const auto inward = [&](std::uint32_t t) { return exclusion.unit(shape.face_site(t)); };
+  if (shape.kind(s) == Kind::kVertex) return std::nullopt;
+  if (shape.kind(s) == Kind::kFace) {
+    const Ball c = -dot(inward(shape.element(s)), w);
+    return std::array{c.low(), c.high()};
+  }
+  const auto& side = shape.edge[shape.element(s)].triangle;
+  const BallVector a = inward(side[0]), b = inward(side[1]), sum = plus(a, b);
+  const Ball ca = -dot(a, w), cb = -dot(b, w);
+  double low = std::min(ca.low(), cb.low()), high = std::max(ca.high(), cb.high());
+  const double square = dot(sum, sum).low();
+  if (!(square > 0)) return std::nullopt;
+  const double stretch = 2 / std::sqrt(square) * (1 + 0x1p-40);  // p + q of p a + q b of length 1
+  if (low < 0) low *= stretch;
+  if (high > 0) high *= stretch;
+  return std::array{low, high};
+}
+
+bool gains_by_fans(const Exclusion& exclusion, Site a, Site b, const Vec<Rational>& w) {
+  const BallVector v{enclose(w[0]), enclose(w[1]), enclose(w[2])};
+  const auto fa = fan(exclusion, a, v), fb = fan(exclusion, b, v);
+  return fa && fb && (*fa)[1] < (*fb)[0];
+}
+
+/// No point x of the box has v for its foot on both edges: (x - v).e = (x - v).f = 0 for none. By
+/// what may be a foot, or on a segment by exact signs.
+bool vertex_is_no_foot(const Shape& shape, const Box3& box, const SharedFeet& feet, std::uint32_t v,
+                       const Vec<Rational>& e, const Vec<Rational>& f) {
+  if (!feet.vertex(v)) return true;
+  int axis = -1, extended = 0;
+  for (int k = 0; k < 3; ++k)
+    if (box.lo[k] != box.hi[k]) {
+      axis = k;
+      ++extended;
+    }
+  if (extended != 1) return false;
+  const Vec<Rational> d = minus(exactly<Rational>(box.lo), exactly<Rational>(shape.point[v]));
+  return inner(d, e) * f[axis] != inner(d, f) * e[axis];
+}
+
+/// Two edges with one common vertex, and their directions from there.
+struct Fork {
+  std::uint32_t vertex;
+  Vec<Rational> a, b;
+};
+std::optional<Fork> fork(const Shape& shape, Site a, Site b) {
+  if (shape.kind(a) != Kind::kEdge || shape.kind(b) != Kind::kEdge) return std::nullopt;
+  const auto common = common_corners(shape, a, b);
+  if (common.size() != 1) return std::nullopt;
+  const auto away = [&](Site s) {
+    const auto& ends = shape.edge[shape.element(s)].vertex;
+    return shape.along<Rational>(common[0], ends[ends[0] == common[0] ? 1 : 0]);
+  };
+  return Fork{common[0], away(a), away(b)};
+}
+
+/// Sign of w.(a / |a| - b / |b|).
+int compare_along(const Fork& f, const Vec<Rational>& w) {
+  return compare_over_roots<Rational>(inner(f.a, w), inner(f.a, f.a), inner(f.b, w),
+                                      inner(f.b, f.b));
+}
+
+}  // namespace
+
+bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& feet, Site a, Site b,
+                       const Vec<Rational>& w) {
+  const auto f = fork(shape, a, b);
+  return f && compare_along(*f, w) > 0 &&
+         vertex_is_no_foot(shape, box, feet, f->vertex, f->a, f->b);
+}
+
+bool never_tie_from_vertex(const Shape& shape, const Box3& box, Site a, Site b) {
+  const auto f = fork(shape, a, b);
+  if (!f) return false;
+  int sum = 0;
+  const BoxCorners corners(box);
+  for (const Point3& x : corners)
+    sum +=
+        compare_along(*f, minus(exactly<Rational>(x), exactly<Rational>(shape.point[f->vertex])));
+  return std::abs(sum) == corners.count;
+}
+
+bool gains(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet, Site a, Site b,
+           const Vec<Rational>& w) {
+  const Sites& sites = exclusion.sites();
+  return std::ranges::all_of(BoxCorners(box),
+                             [&](const Point3& x) { return sites.slope(x, a, b, w) < 0; }) ||
+         gains_by_fans(exclusion, a, b, w) ||
+         gains_from_vertex(sites.shape(), box, feet, a, b, w) ||
+         (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w));
+}
+
+bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {
+  return !exclusion.sites().never_essential(a, b) && !exclusion.never_tie(a, b, box) &&
+         !never_tie_from_vertex(exclusion.sites().shape(), box, a, b);
+}
+
+}  // namespace blum::verify
