@@ -61,10 +61,20 @@ Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
       if (in_cone) ray.push_back({i, j});
     }
   if (ray.empty()) return FootCone::kNone;
-  for (const auto& r : ray)
-    for (const auto k : r)
-      if (exact::orient3d(v, tip[ray[0][0]], tip[ray[0][1]], tip[k]) != 0) return FootCone::kWide;
-  return FootCone::kRay;
+  const auto across = [&](std::size_t k) {
+    return std::ranges::all_of(
+        ray, [&](const auto& r) { return exact::orient3d(v, tip[r[0]], tip[r[1]], tip[k]) == 0; });
+  };
+  const bool parallel = std::ranges::all_of(ray, [&](const auto& r) {
+    return std::ranges::all_of(
+        r, [&](auto k) { return exact::orient3d(v, tip[ray[0][0]], tip[ray[0][1]], tip[k]) == 0; });
+  });
+  if (parallel) return FootCone::kRay;
+  // A plane sector: two edges go straight on across its plane, and bound it.
+  for (std::size_t k = 0; k < n; ++k)
+    if (across(k) && s.edge[s.edges_at(vertex)[k]].kind == EdgeKind::kConvex)
+      return FootCone::kNone;
+  return FootCone::kWide;
 }
 
 bool Predicates::axis_connected_at(std::uint32_t vertex) const {

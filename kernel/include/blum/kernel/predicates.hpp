@@ -97,6 +97,18 @@ class Predicates {
   /// balls in double do not tell apart.
   [[nodiscard]] Ball squared_difference(const Point3& x, SiteId a, SiteId b);
 
+  /// d_a^2 - d_b^2 of two carriers as a polynomial about a point of the solid: with
+  /// y = x - origin, value + 2 linear.y + y.M y.
+  struct CarrierDifference {
+    Point3 origin;  ///< of a
+    Ball value;
+    BallVector linear;
+    std::array<Ball, 6> matrix;  ///< M: xx, yy, zz, xy, yz, zx
+  };
+  /// Its coefficients enclosed by 128-bit arithmetic: precise even where the carriers are so near
+  /// to each other that differences of their own coefficients are all error.
+  [[nodiscard]] CarrierDifference carrier_difference(SiteId a, SiteId b);
+
  private:
   [[nodiscard]] bool behind(SiteId site, SiteId other);
   template <class F>
