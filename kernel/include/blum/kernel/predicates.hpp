@@ -63,9 +63,17 @@ class Predicates {
   /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
   [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
 
-  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone
-  /// is a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
-  [[nodiscard]] bool axis_connected_at(std::uint32_t vertex) const;
+  /// The axis near a boundary vertex: trees, each of which ends on some of its convex edges.
+  struct AxisAtVertex {
+    std::uint32_t trees = 0;
+    std::vector<std::uint32_t> tree;  ///< of each of edges_at(vertex); of convex edges only
+    /// A triangle of each chain of triangles beside the region of points whose foot is the vertex.
+    /// These chains lie beside one region of the complement of the axis.
+    std::vector<std::uint32_t> merged;
+  };
+  /// By exact signs; nullopt where points of a plane sector have the vertex as foot. See "Vertices
+  /// in a boundary cell" in docs/proofs.md.
+  [[nodiscard]] std::optional<AxisAtVertex> axis_at(std::uint32_t vertex) const;
 
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
   /// from point a to point b: positive on the left, in coordinates (u_axis, v_axis).
