@@ -51,6 +51,12 @@ const Touch& EngineContext::touch(SiteId a, SiteId b) {
   return it->second;
 }
 
+const Predicates::CarrierDifference& EngineContext::carrier_difference(SiteId a, SiteId b) {
+  const auto [it, fresh] = carrier_difference_.try_emplace(ordered_key(a, b));
+  if (fresh) it->second = predicates.carrier_difference(a, b);
+  return it->second;
+}
+
 double EngineContext::jitter(double a, double b, std::uint64_t c) const {
   std::uint64_t h = mix(seed);
   h = mix(h ^ std::bit_cast<std::uint64_t>(a));

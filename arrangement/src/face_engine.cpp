@@ -267,7 +267,7 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
                             const Range& range, const Direction& direction) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const GainPair& p) {
     const LocalForm &a = forms[p.i], &b = forms[p.j];
-    if (gains(p.slope, a, b, range, direction.w)) return true;
+    if (gains(p.slope, range, direction.w)) return true;
     return !may_share_foot(context_, a.site, b.site, forms, range) &&
            gains_by_feet(context_, p.slope, a.site, b.site, direction, forms, range);
   });

@@ -26,8 +26,8 @@ void GroupChanges::compare(std::uint32_t g, std::uint32_t h) {
       if (!may_both_govern(context_, a, b, range_)) continue;
       const PairSlope slope = pair_slope(context_, a, b, range_);
       // Which of the two gains all along.
-      int winner = gains(slope, a, b, range_, along.w)  ? 1
-                   : gains(slope, a, b, range_, back.w) ? -1
+      int winner = gains(slope, range_, along.w)  ? 1
+                   : gains(slope, range_, back.w) ? -1
                                                         : 0;
       if (winner == 0 && !may_share_foot(context_, a.site, b.site, forms_, range_))
         winner = gains_by_feet(context_, slope, a.site, b.site, along, forms_, range_)  ? 1

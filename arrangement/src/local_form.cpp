@@ -193,6 +193,58 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
   return true;
 }
 
+namespace {
+
+PairForm difference_of(const LocalForm& a, const LocalForm& b) {
+  PairForm r;
+  r.value = a.value - b.value;
+  for (std::size_t k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
+  for (std::size_t k = 0; k < 6; ++k) r.a[k] = a.a[k] - b.a[k];
+  return r;
+}
+
+PairForm precise_difference(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                            const Range& range) {
+  const Predicates::CarrierDifference& d = context.carrier_difference(a.site, b.site);
+  const BallVector y = difference(range.center, d.origin);
+  PairForm r;
+  r.a = d.matrix;
+  BallVector half;
+  for (int i = 0; i < 3; ++i)
+    half[i] = d.linear[i] + r.matrix(i, 0) * y[0] + r.matrix(i, 1) * y[1] + r.matrix(i, 2) * y[2];
+  for (std::size_t i = 0; i < 3; ++i) r.gradient[i] = Ball(2.0) * half[i];
+  r.value = d.value + dot(d.linear, y) + dot(half, y);
+  return r;
+}
+
+}  // namespace
+
+double PairForm::slack(const Range& range) const {
+  double second = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) second += matrix(i, j).magnitude() * range.half[i] * range.half[j];
+  return up(spread(gradient, range) + up(second));
+}
+
+bool nearly_parallel_edges(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b) {
+  if (a.kind != SiteKind::kEdge || b.kind != SiteKind::kEdge) return false;
+  const BallVector &u = geometry.unit(a.site), &v = geometry.unit(b.site);
+  double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double c =
+        u[(k + 1) % 3].mid * v[(k + 2) % 3].mid - u[(k + 2) % 3].mid * v[(k + 1) % 3].mid;
+    square += c * c;
+  }
+  return square < kNearlyParallel * kNearlyParallel;
+}
+
+PairForm pair_form(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                   const Range& range) {
+  return !context.plain && nearly_parallel_edges(context.geometry, a, b)
+             ? precise_difference(context, a, b, range)
+             : difference_of(a, b);
+}
+
 bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b,
                        const Range& range, EngineContext* context) {
   if (a.kind == SiteKind::kFace && b.kind == SiteKind::kFace && b.covers_side) {
@@ -206,15 +258,15 @@ bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const L
     return context != nullptr && side == b.side &&
            heights_compared(*context, a.site, b.site, range) == side;
   }
-  BallVector g;
-  for (int k = 0; k < 3; ++k) g[k] = a.gradient[k] - b.gradient[k];
-  double second = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      second += (a.matrix(i, j) - b.matrix(i, j)).magnitude() * range.half[i] * range.half[j];
-  const Ball value = a.value - b.value;
-  const double slack = up(spread(g, range) + up(second));
+  const PairForm form = difference_of(a, b);
+  const Ball& value = form.value;
+  const double slack = form.slack(range);
   if (value.low() - slack > 0) return true;
+  if (context != nullptr && !context->plain && value.high() > 0 &&
+      nearly_parallel_edges(geometry, a, b)) {
+    const PairForm precise = precise_difference(*context, a, b, range);
+    return precise.value.low() - precise.slack(range) > 0;
+  }
   // In ranges so small that the error of the values decides, they are taken more precisely.
   return context != nullptr && value.rad > slack * kRoundingCounts && value.high() - slack > 0 &&
          context->predicates.squared_difference(range.center, a.site, b.site).low() - slack > 0;

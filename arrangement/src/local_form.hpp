@@ -31,6 +31,11 @@ struct Range {
 /// Upper bound of the length of a vector.
 [[nodiscard]] double length_above(const BallVector& x);
 
+/// Entry of a symmetric matrix stored as xx, yy, zz, xy, yz, zx.
+[[nodiscard]] inline const Ball& entry(const std::array<Ball, 6>& a, int i, int j) {
+  return i == j ? a[i] : a[(i + j == 1) ? 3 : (i + j == 3) ? 4 : 5];
+}
+
 /// d^2(c + x) = value + gradient.x + x.A x, all enclosed.
 struct LocalForm {
   SiteId site{};
@@ -44,10 +49,26 @@ struct LocalForm {
                           ///< face, into a coplanar neighbour)
   bool covers_side = false;  ///< and (faces) the height has the sign `side` there
 
-  [[nodiscard]] const Ball& matrix(int i, int j) const {
-    return i == j ? a[i] : a[(i + j == 1) ? 3 : (i + j == 3) ? 4 : 5];
-  }
+  [[nodiscard]] const Ball& matrix(int i, int j) const { return entry(a, i, j); }
 };
+
+/// d_a^2 - d_b^2 (carriers) at c + x = value + gradient.x + x.A x, all enclosed.
+struct PairForm {
+  Ball value;
+  BallVector gradient;
+  std::array<Ball, 6> a;
+
+  [[nodiscard]] const Ball& matrix(int i, int j) const { return entry(a, i, j); }
+  /// Upper bound of |gradient.x + x.A x| over the range.
+  [[nodiscard]] double slack(const Range& range) const;
+};
+
+/// Are they edges so nearly parallel that the difference of their forms may be all error?
+[[nodiscard]] bool nearly_parallel_edges(const SiteGeometry& geometry, const LocalForm& a,
+                                         const LocalForm& b);
+/// The difference of their forms; of such edges from precise coefficients.
+[[nodiscard]] PairForm pair_form(EngineContext& context, const LocalForm& a, const LocalForm& b,
+                                 const Range& range);
 
 [[nodiscard]] inline Ball with_sign(const Ball& x, int sign) { return sign > 0 ? x : -x; }
 /// side_a * a - side_b * b, for signs +-1.

@@ -162,10 +162,11 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
     const Point3 x = at(line, m);
     // A stretch that ends on ∂O is only known up to the enclosure of the crossing: m must be
     // exactly on the solid's side of it.
+    // Else m bounds the crossing, and the stretch is shorter than it was thought.
     if (a.triangle != Breakpoint::kNone && context_.predicates.plane_side(x, a.triangle) >= 0)
-      continue;
+      return isolate(line, {m, a.triangle, a.label}, b, kept, out, depth + 1);
     if (b.triangle != Breakpoint::kNone && context_.predicates.plane_side(x, b.triangle) >= 0)
-      continue;
+      return isolate(line, a, {m, b.triangle, b.label}, kept, out, depth + 1);
     const auto label = governor(x, kept);
     if (!label) continue;
     const StretchEnd middle{m, Breakpoint::kNone, *label};

@@ -9,8 +9,7 @@ namespace blum {
 namespace {
 
 /// Upper bound of slope . w over the range.
-double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                   const Range& range, const BallVector& w) {
+double slope_upper(const PairSlope& slope, const Range& range, const BallVector& w) {
   const Ball s = dot(slope.gradient, w);
   double bound = s.high();
   if (!slope.constant) {
@@ -19,7 +18,7 @@ double slope_upper(const PairSlope& slope, const LocalForm& a, const LocalForm& 
       Ball row(0.0);
       for (int j = 0; j < 3; ++j) {
         if (w[j].mid == 0 && w[j].rad == 0) continue;
-        row = row + (a.matrix(i, j) - b.matrix(i, j)) * w[j];
+        row = row + entry(slope.matrix, i, j) * w[j];
       }
       bound += 2 * row.magnitude() * range.half[i] * Ball::kInflate;
     }
@@ -57,7 +56,9 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
     return r;
   }
   // At a tie grad(d_a - d_b) and grad(d_a^2 - d_b^2) differ by the positive factor 2d.
-  for (int k = 0; k < 3; ++k) r.gradient[k] = a.gradient[k] - b.gradient[k];
+  const PairForm form = pair_form(context, a, b, range);
+  r.gradient = form.gradient;
+  r.matrix = form.a;
   if (!context.voronoi() && !context.plain) r.fans = fans_at_ties(context, a, b, range);
   return r;
 }
@@ -78,10 +79,8 @@ Direction left_normal(const Solid& solid, int axis, std::uint32_t from, std::uin
   return r;
 }
 
-bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b, const Range& range,
-           const BallVector& w) {
-  return slope_upper(slope, a, b, range, w) < 0 ||
-         (!slope.constant && gains_by_fans(slope.fans, w));
+bool gains(const PairSlope& slope, const Range& range, const BallVector& w) {
+  return slope_upper(slope, range, w) < 0 || (!slope.constant && gains_by_fans(slope.fans, w));
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {

@@ -15,16 +15,16 @@ namespace blum {
 
 /// How d_a - d_b changes, wherever in the range a and b tie.
 struct PairSlope {
-  BallVector gradient;    ///< enclosure up to a positive factor, at the centre
-  bool constant = false;  ///< two faces, or sites that touch: the same everywhere
-  FanPair fans;           ///< if not constant; medial diagrams only
+  BallVector gradient;           ///< enclosure up to a positive factor, at the centre
+  bool constant = false;         ///< two faces, or sites that touch: the same everywhere
+  std::array<Ball, 6> matrix{};  ///< if not constant: it changes by twice that times the offset
+  FanPair fans;                  ///< if not constant; medial diagrams only
 };
 [[nodiscard]] PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
                                    const Range& range);
 
 /// Is the derivative along w negative wherever a and b tie? False: undecided.
-[[nodiscard]] bool gains(const PairSlope& slope, const LocalForm& a, const LocalForm& b,
-                         const Range& range, const BallVector& w);
+[[nodiscard]] bool gains(const PairSlope& slope, const Range& range, const BallVector& w);
 
 /// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
 /// the projection along `axis` of the line from one point of the solid to another.

@@ -61,32 +61,69 @@ Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
       if (in_cone) ray.push_back({i, j});
     }
   if (ray.empty()) return FootCone::kNone;
-  for (const auto& r : ray)
-    for (const auto k : r)
-      if (exact::orient3d(v, tip[ray[0][0]], tip[ray[0][1]], tip[k]) != 0) return FootCone::kWide;
-  return FootCone::kRay;
+  const auto across = [&](std::size_t k) {
+    return std::ranges::all_of(
+        ray, [&](const auto& r) { return exact::orient3d(v, tip[r[0]], tip[r[1]], tip[k]) == 0; });
+  };
+  const bool parallel = std::ranges::all_of(ray, [&](const auto& r) {
+    return std::ranges::all_of(
+        r, [&](auto k) { return exact::orient3d(v, tip[ray[0][0]], tip[ray[0][1]], tip[k]) == 0; });
+  });
+  if (parallel) return FootCone::kRay;
+  // A plane sector: two edges go straight on across its plane, and bound it.
+  for (std::size_t k = 0; k < n; ++k)
+    if (across(k) && s.edge[s.edges_at(vertex)[k]].kind == EdgeKind::kConvex)
+      return FootCone::kNone;
+  return FootCone::kWide;
 }
 
-bool Predicates::axis_connected_at(std::uint32_t vertex) const {
-  if (foot_cone(vertex) != FootCone::kWide) return true;
+std::optional<Predicates::AxisAtVertex> Predicates::axis_at(std::uint32_t vertex) const {
   const Solid& s = geometry_->solid();
-  if (s.vertex_degenerate[vertex]) return false;
-  // Convex edges part the triangles at the vertex into chains. Where feet merge in the vertex, the
-  // chains that bound its region share one region of the complement of the axis.
+  const bool wide = foot_cone(vertex) == FootCone::kWide;
+  if (wide && s.vertex_degenerate[vertex]) return std::nullopt;
+  // Convex edges part the triangles at the vertex into chains.
   const auto triangles = s.triangles_at(vertex);
+  const auto edges = s.edges_at(vertex);
   UnionFind chain;
   chain.resize(static_cast<std::uint32_t>(triangles.size()));
   const auto place = [&](std::uint32_t t) {
     return static_cast<std::uint32_t>(std::ranges::find(triangles, t) - triangles.begin());
   };
-  for (const auto e : s.edges_at(vertex))
+  for (const auto e : edges)
     if (s.edge[e].kind != EdgeKind::kConvex)
       chain.unite(place(s.edge[e].triangle[0]), place(s.edge[e].triangle[1]));
-  const auto bounding = bounding_edges(s, vertex);
-  return std::ranges::all_of(bounding, [&](auto e) {
-    return chain.find(place(s.edge[e].triangle[0])) ==
-           chain.find(place(s.edge[bounding.front()].triangle[0]));
-  });
+
+  AxisAtVertex r;
+  std::vector<bool> merges(triangles.size(), false);  // by the root of a chain
+  if (wide)
+    for (const auto e : bounding_edges(s, vertex)) {
+      const auto t = s.edge[e].triangle[0];
+      const auto root = chain.find(place(t));
+      if (!merges[root]) r.merged.push_back(t);
+      merges[root] = true;
+    }
+  // Two convex edges are in one tree if a chain between them lies beside a region of its own.
+  UnionFind same;
+  same.resize(static_cast<std::uint32_t>(edges.size()));
+  std::vector<std::uint32_t> beside(triangles.size(), same.size());
+  for (std::uint32_t k = 0; k < edges.size(); ++k) {
+    if (s.edge[edges[k]].kind != EdgeKind::kConvex) continue;
+    for (const auto t : s.edge[edges[k]].triangle) {
+      const auto root = chain.find(place(t));
+      if (merges[root]) continue;
+      if (beside[root] < same.size()) same.unite(beside[root], k);
+      beside[root] = k;
+    }
+  }
+  std::vector<std::uint32_t> number(edges.size(), same.size());
+  r.tree.assign(edges.size(), 0);
+  for (std::uint32_t k = 0; k < edges.size(); ++k) {
+    if (s.edge[edges[k]].kind != EdgeKind::kConvex) continue;
+    auto& n = number[same.find(k)];
+    if (n == same.size()) n = r.trees++;
+    r.tree[k] = n;
+  }
+  return r;
 }
 
 int Predicates::side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const {

@@ -5,6 +5,7 @@
 #include "blum/kernel/predicates.hpp"
 #include "exact_number.hpp"
 #include "site_expressions.hpp"
+#include "wide_ball.hpp"
 
 namespace blum {
 namespace {
@@ -62,12 +63,7 @@ void normalise(ArbVector& n, slong precision) {
   arb_clear(sum);
 }
 
-Ball to_ball(arb_srcptr x) {
-  const double mid = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-  const double rad = mag_get_d(arb_radref(x));  // rounded up by less than one part in 2^-29
-  const double underflow = arb_is_zero(x) ? 0.0 : Ball::kTiny;
-  return {mid, rad * (1 + 0x1p-20) + std::abs(mid) * Ball::kUnit + underflow};
-}
+using detail::to_ball;
 
 BallVector to_balls(const ArbVector& v) {
   return {to_ball(&v.x[0]), to_ball(&v.x[1]), to_ball(&v.x[2])};

@@ -118,7 +118,7 @@ class Assembler {
   std::vector<EdgeTies> tie_;
   std::vector<bool> dropped_;  // leaves with an undecided interface
   std::vector<LeafGraph> graph_;
-  std::map<std::uint32_t, std::uint32_t> boundary_vertex_;
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> boundary_vertex_;  // by vertex and tree
   CellComplex complex_;
   bool partial_ = false;  // some leaf is undecided
 };
@@ -421,9 +421,14 @@ void Assembler::add_leaf(std::uint32_t index) {
         bool inside = true;
         for (int k = 0; k < 3; ++k) inside &= p[k] > leaf.box.lo[k] && p[k] < leaf.box.hi[k];
         if (!inside) continue;
-        for (const auto e : solid_.edges_at(v)) {
+        const auto axis = medial_ ? engines_.production(0).predicates().axis_at(v) : std::nullopt;
+        const auto edges = solid_.edges_at(v);
+        for (std::size_t k = 0; k < edges.size(); ++k) {
+          const auto e = edges[k];
           if (medial_ && solid_.edge[e].kind != EdgeKind::kConvex) continue;
-          const auto [it, fresh] = boundary_vertex_.try_emplace(v, kNone);
+          // Sheets that meet only on the boundary are not joined there.
+          const std::uint32_t tree = axis && axis->trees > 1 ? axis->tree[k] : 0;
+          const auto [it, fresh] = boundary_vertex_.try_emplace({v, tree}, kNone);
           if (fresh) {
             Placed placed;
             placed.position = p;

@@ -159,6 +159,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   SubdivisionOptions used = options;
   if (certificate) {
     used.cuts = false;
+    used.split_vertices = false;
     engines.prefer_plain_reasons();
   }
   Result<Subdivision> subdivided = subdivide(geometry, used, engines);

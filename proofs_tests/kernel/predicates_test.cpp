@@ -15,6 +15,7 @@
 #include "blum/kernel/closest_point.hpp"
 #include "blum/kernel/inside.hpp"
 #include "blum/kernel/shapes.hpp"
+#include "kernel/turn_by_quaternion.hpp"
 
 namespace blum {
 namespace {
@@ -532,6 +533,55 @@ TEST(Predicates, SquaredDifference_EnclosesTheExactOneToManyDigits) {
     }
   }
   EXPECT_GT(near, 0);
+}
+
+TEST(Predicates, CarrierDifference_EnclosesTheExactOneWhereCarriersNearlyAgree) {
+  // Facets with holes, turned and rounded: rows of slivers, whose edges are parallel to 1e-16.
+  std::vector<PolygonMesh> all = meshes();
+  all.push_back(test::turn_by_quaternion(shapes::plate(3, 6), {5, 1, -2, 2}));
+  Random random(18);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  int parallel = 0;
+  for (const PolygonMesh& mesh : all) {
+    const Truth truth(mesh);
+    Predicates p(truth.geometry);
+    const auto candidates = truth.geometry.candidates();
+    const auto check = [&](SiteId a, SiteId b) {
+      const Predicates::CarrierDifference d = p.carrier_difference(a, b);
+      const Point3 x{coordinate(random), coordinate(random), coordinate(random)};
+      const Vector at = exact(x), y = at - exact(d.origin);
+      const int row[] = {0, 1, 2, 0, 1, 2}, column[] = {0, 1, 2, 1, 2, 0};
+      Q middle(d.value.mid), radius(d.value.rad), size = abs(Q(d.value.mid));
+      for (std::size_t k = 0; k < 3; ++k) {
+        middle += 2 * Q(d.linear[k].mid) * y[k];
+        radius += 2 * Q(d.linear[k].rad) * abs(y[k]);
+        size += abs(Q(d.linear[k].mid));
+      }
+      for (std::size_t k = 0; k < 6; ++k) {
+        const Q yy = y[row[k]] * y[column[k]] * (k < 3 ? 1 : 2);
+        middle += Q(d.matrix[k].mid) * yy;
+        radius += Q(d.matrix[k].rad) * abs(yy);
+        size += abs(Q(d.matrix[k].mid));
+      }
+      const Q off = truth.carrier(at, a) - truth.carrier(at, b) - middle;
+      EXPECT_TRUE(abs(off) <= radius);
+      EXPECT_TRUE(radius <= size * Q(1e-13) + Q(1e-30));
+      return size;
+    };
+    for (int k = 0; k < 40; ++k)
+      check(candidates[random() % candidates.size()], candidates[random() % candidates.size()]);
+    for (const SiteId a : candidates)
+      for (const SiteId b : candidates) {
+        if (truth.index.kind(a) != SiteKind::kEdge || truth.index.kind(b) != SiteKind::kEdge ||
+            !(a < b))
+          continue;
+        const BallVector w = cross(truth.geometry.unit(a), truth.geometry.unit(b));
+        if (dot(w, w).mid > 1e-24) continue;
+        const Q size = check(a, b);
+        parallel += size != 0 && size < Q(1e-14);
+      }
+  }
+  EXPECT_GT(parallel, 2);
 }
 
 TEST(Predicates, Ties_ReachTheExactStageAndTheirNeighboursDoNot) {

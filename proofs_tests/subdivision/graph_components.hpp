@@ -1,7 +1,8 @@
-/// An oracle for Predicates::axis_connected_at: the graph on a small box about the vertex.
+/// An oracle for Predicates::axis_at: the graph on a small box about the vertex.
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -28,9 +29,14 @@ inline std::vector<SharedSide> shared_sides() {
   return pairs;
 }
 
-/// Number of components of the graph on the surface of a cell with the given diagrams, convex
-/// boundary edges inside the cell not counted.
-inline std::size_t graph_components(const std::array<std::shared_ptr<const FaceDiagram>, 6>& face) {
+/// The graph on the surface of a cell with the given diagrams, convex boundary edges inside the
+/// cell not counted.
+struct GraphComponents {
+  std::size_t count = 0;
+  std::map<std::uint32_t, std::uint32_t> of_edge;  ///< of convex edges that cross the surface once
+};
+inline GraphComponents graph_components(
+    const std::array<std::shared_ptr<const FaceDiagram>, 6>& face) {
   std::array<std::uint32_t, 6> base{};
   std::uint32_t nodes = 0;
   for (int f = 0; f < 6; ++f) {
@@ -54,7 +60,13 @@ inline std::size_t graph_components(const std::array<std::shared_ptr<const FaceD
             m.side == p.side[0] && n.side == p.side[1] && m.breakpoint == n.breakpoint)
           unite(base[p.face[0]] + i, base[p.face[1]] + j);
       }
-  return components;
+  GraphComponents r;
+  r.count = components;
+  for (int f = 0; f < 6; ++f)
+    for (std::uint32_t i = 0; i < face[f]->node.size(); ++i)
+      if (const FaceNode& n = face[f]->node[i]; n.kind == FaceNode::Kind::kConvexEdge)
+        r.of_edge[n.boundary_edge] = graph.find(base[f] + i);
+  return r;
 }
 
 }  // namespace blum::test

@@ -58,7 +58,8 @@ void CellSurface::describe(Components& component) {
   for (int f = 0; f < 6; ++f)
     for (std::uint32_t n = 0; n < face_[f]->node.size(); ++n)
       node_box_[node(f, n)] = enclosure(f, face_[f]->node[n]);
-  for (const auto& [v, n] : vertex_node_) node_box_[n] = {solid_.point[v], solid_.point[v]};
+  for (const auto& [at, n] : vertex_node_)
+    node_box_[n] = {solid_.point[at[0]], solid_.point[at[0]]};
   for (Component& c : component) {
     for (std::uint32_t n = 0; n < graph_.size(); ++n) {
       if (graph_.find(n) != c.root) continue;

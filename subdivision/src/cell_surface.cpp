@@ -1,5 +1,7 @@
 #include "cell_surface.hpp"
 
+#include <algorithm>
+
 #include "blum/kernel/check.hpp"
 #include "box_edges.hpp"
 
@@ -39,14 +41,33 @@ void CellSurface::number_elements(std::span<const std::uint32_t> triangles) {
     for (const FaceTracePoint& p : face_[f]->trace_point) edge_[p.boundary_edge];
   for (const auto v : vertex_)
     for (const auto e : solid_.edges_at(v)) edge_[e];
-  for (const auto v : vertex_)
+  for (const auto v : vertex_) {
+    bool convex = false, reflex = false;
+    for (const auto e : solid_.edges_at(v)) {
+      convex |= solid_.edge[e].kind == EdgeKind::kConvex;
+      reflex |= solid_.edge[e].kind == EdgeKind::kReflex;
+    }
+    if (convex && reflex) {
+      const Predicates::AxisAtVertex* axis = oracles_.axis_at(v);
+      vertices_known_ &= axis != nullptr;
+      if (axis != nullptr && axis->trees > 1) axis_at_[v] = axis;
+    }
     for (const auto e : solid_.edges_at(v))
-      if (solid_.edge[e].kind == EdgeKind::kConvex && vertex_node_.try_emplace(v, nodes).second)
+      if (solid_.edge[e].kind == EdgeKind::kConvex &&
+          vertex_node_.try_emplace({v, tree_at(v, e)}, nodes).second)
         ++nodes;
+  }
   cut_.resize(elements);
   surface_.resize(elements);
   graph_.resize(nodes);
   node_element_.assign(nodes, kNone);
+}
+
+std::uint32_t CellSurface::tree_at(std::uint32_t vertex, std::uint32_t edge) const {
+  const auto it = axis_at_.find(vertex);
+  if (it == axis_at_.end()) return 0;
+  const auto edges = solid_.edges_at(vertex);
+  return it->second->tree[static_cast<std::size_t>(std::ranges::find(edges, edge) - edges.begin())];
 }
 
 void CellSurface::glue() {
@@ -104,7 +125,7 @@ void CellSurface::glue() {
       continue;
     }
     for (const auto v : edge.vertex)
-      if (const auto it = vertex_node_.find(v); it != vertex_node_.end()) {
+      if (const auto it = vertex_node_.find({v, tree_at(v, e)}); it != vertex_node_.end()) {
         nodes.push_back(it->second);
         node_element_[it->second] = a;
       }
@@ -113,6 +134,9 @@ void CellSurface::glue() {
     graph_.unite(nodes[0], nodes[1]);
     arc_.push_back({nodes[0], nodes[1]});
   }
+  for (const auto& [v, axis] : axis_at_)
+    for (const auto t : axis->merged)
+      cut_.unite(triangle_.at(axis->merged.front()), triangle_.at(t));
 }
 
 }  // namespace blum

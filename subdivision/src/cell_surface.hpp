@@ -14,7 +14,7 @@ namespace blum {
 
 /// Elements of the surface are the regions of the six diagrams, then the boundary triangles that
 /// meet the cell. Nodes of the graph are those of the six diagrams, then the boundary vertices
-/// inside the cell that have convex edges.
+/// inside the cell that have convex edges: once for each tree of the axis there.
 class CellSurface {
  public:
   /// The arguments must outlive it; see test_cell.
@@ -34,6 +34,8 @@ class CellSurface {
 
   void number_elements(std::span<const std::uint32_t> triangles);
   void glue();
+  /// Of a convex edge at a vertex inside the cell.
+  [[nodiscard]] std::uint32_t tree_at(std::uint32_t vertex, std::uint32_t edge) const;
   [[nodiscard]] bool strictly_inside(const Point3& p) const {
     for (int k = 0; k < 3; ++k)
       if (!(p[k] > box_.lo[k] && p[k] < box_.hi[k])) return false;
@@ -42,7 +44,6 @@ class CellSurface {
   [[nodiscard]] std::uint32_t region(int f, std::uint32_t r) const { return region_base_[f] + r; }
   [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
 
-  [[nodiscard]] bool vertices_are_harmless() const;
   /// kAccepted: every component is a ball.
   [[nodiscard]] CellVerdict are_balls();
   [[nodiscard]] bool pieces_are_separate();
@@ -85,7 +86,10 @@ class CellSurface {
   std::map<std::uint32_t, std::uint32_t> triangle_;           // triangle -> element
   std::map<std::uint32_t, std::vector<std::uint32_t>> edge_;  // boundary edge in the cell -> nodes
   std::vector<std::uint32_t> vertex_;                         // boundary vertices in the cell
-  std::map<std::uint32_t, std::uint32_t> vertex_node_;        // those with convex edges
+  // Those with convex edges, and the tree there: see Predicates::AxisAtVertex.
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> vertex_node_;
+  std::map<std::uint32_t, const Predicates::AxisAtVertex*> axis_at_;  // with several trees
+  bool vertices_known_ = true;
   UnionFind cut_;      // components of the surface minus the graph
   UnionFind surface_;  // components of the surface
   UnionFind graph_;

@@ -59,11 +59,17 @@ bool CellSurface::pieces_are_separate() {
     if (solid_.edge[e].kind == EdgeKind::kReflex &&
         !separate(index.edge(e), triangle_.at(solid_.edge[e].triangle[0])))
       return false;
-  for (const auto v : vertex_)
+  for (const auto v : vertex_) {
+    if (const auto it = axis_at_.find(v); it != axis_at_.end()) {
+      // The points that v governs are in the one region beside the chains that it has merged.
+      if (!separate(index.vertex(v), triangle_.at(it->second->merged.front()))) return false;
+      continue;
+    }
     // Convex edges at v part its triangles; the flow of points that v governs ends at v, on the
     // graph, so v counts as governor of every component that it touches.
     for (const auto t : solid_.triangles_at(v))
       if (!separate(index.vertex(v), triangle_.at(t))) return false;
+  }
   return true;
 }
 
@@ -84,18 +90,6 @@ CellAnswer CellSurface::conical(std::uint32_t vertex) {
   r.has_axis = arcs > 0;
   r.verdict = arcs == merges ? CellVerdict::kAccepted : CellVerdict::kGraph;
   return r;
-}
-
-bool CellSurface::vertices_are_harmless() const {
-  for (const auto v : vertex_) {
-    bool convex = false, reflex = false;
-    for (const auto e : solid_.edges_at(v)) {
-      convex |= solid_.edge[e].kind == EdgeKind::kConvex;
-      reflex |= solid_.edge[e].kind == EdgeKind::kReflex;
-    }
-    if (convex && reflex && !oracles_.connected_at(v)) return false;
-  }
-  return true;
 }
 
 CellVerdict CellSurface::are_balls() {
@@ -159,7 +153,7 @@ CellAnswer CellSurface::test(bool resolve) {
     r.verdict = v;
     return r;
   };
-  if (!vertices_are_harmless()) return verdict(CellVerdict::kVertex);
+  if (!vertices_known_) return verdict(CellVerdict::kVertex);
   if (const CellVerdict v = are_balls(); v != CellVerdict::kAccepted) return verdict(v);
   r.has_axis = !arc_.empty();
 

@@ -128,7 +128,7 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   for (int k = 0; k < 3; ++k) diameter = std::max(diameter, cell.box.hi[k] - cell.box.lo[k]);
   const bool resolve = options_.resolve && diameter > kResolveFraction * work_.root_diameter;
   CellOracles oracles;
-  oracles.connected_at = [this](std::uint32_t v) { return connected_at(v); };
+  oracles.axis_at = [this](std::uint32_t v) { return axis_at(v); };
   if (options_.cuts && fine_enough(cell))
     oracles.section = [&](const CutPlane& plane) {
       return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
@@ -236,10 +236,11 @@ bool CellWorker::one_junction(const Cell& cell, const Faces& face) {
   return c.gap <= kCommonTolerance && (groups.size() > 4 || !feet_span(geometry_, groups, c.point));
 }
 
-bool CellWorker::connected_at(std::uint32_t vertex) {
-  const auto [it, fresh] = connected_.try_emplace(vertex, false);
-  if (fresh) it->second = production_.predicates().axis_connected_at(vertex);
-  return it->second;
+const Predicates::AxisAtVertex* CellWorker::axis_at(std::uint32_t vertex) {
+  const auto [it, fresh] = axis_at_.try_emplace(vertex);
+  if (fresh) it->second = production_.predicates().axis_at(vertex);
+  if (!it->second || (it->second->trees > 1 && !options_.split_vertices)) return nullptr;
+  return &*it->second;
 }
 
 }  // namespace blum

@@ -84,7 +84,7 @@ class CellWorker {
   [[nodiscard]] bool fine_enough(const Cell& cell) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
   [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);
-  [[nodiscard]] bool connected_at(std::uint32_t vertex);
+  [[nodiscard]] const Predicates::AxisAtVertex* axis_at(std::uint32_t vertex);
   [[nodiscard]] bool one_junction(const Cell& cell, const Faces& face);
 
   CellWork& work_;
@@ -95,7 +95,7 @@ class CellWorker {
   ProductionEngine& production_;
   DiagramEngine& diagrams_;
   SubdivisionStats stats_;
-  std::unordered_map<std::uint32_t, bool> connected_;  // boundary vertex -> connected_at
+  std::unordered_map<std::uint32_t, std::optional<Predicates::AxisAtVertex>> axis_at_;
 };
 
 }  // namespace blum

@@ -63,9 +63,17 @@ class Predicates {
   /// By exact signs on the vertex' polar cone {x : x.e <= 0 for all incident edges e}.
   [[nodiscard]] FootCone foot_cone(std::uint32_t vertex) const;
 
-  /// Is the axis near a boundary vertex connected? False where it is not, or where the polar cone
-  /// is a plane sector. See "Vertices in a boundary cell" in docs/proofs.md.
-  [[nodiscard]] bool axis_connected_at(std::uint32_t vertex) const;
+  /// The axis near a boundary vertex: trees, each of which ends on some of its convex edges.
+  struct AxisAtVertex {
+    std::uint32_t trees = 0;
+    std::vector<std::uint32_t> tree;  ///< of each of edges_at(vertex); of convex edges only
+    /// A triangle of each chain of triangles beside the region of points whose foot is the vertex.
+    /// These chains lie beside one region of the complement of the axis.
+    std::vector<std::uint32_t> merged;
+  };
+  /// By exact signs; nullopt where points of a plane sector have the vertex as foot. See "Vertices
+  /// in a boundary cell" in docs/proofs.md.
+  [[nodiscard]] std::optional<AxisAtVertex> axis_at(std::uint32_t vertex) const;
 
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
   /// from point a to point b: positive on the left, in coordinates (u_axis, v_axis).
@@ -96,6 +104,18 @@ class Predicates {
   /// Enclosure of d_a(x)^2 - d_b(x)^2 for the carriers, from 128-bit arithmetic: for a and b that
   /// balls in double do not tell apart.
   [[nodiscard]] Ball squared_difference(const Point3& x, SiteId a, SiteId b);
+
+  /// d_a^2 - d_b^2 of two carriers as a polynomial about a point of the solid: with
+  /// y = x - origin, value + 2 linear.y + y.M y.
+  struct CarrierDifference {
+    Point3 origin;  ///< of a
+    Ball value;
+    BallVector linear;
+    std::array<Ball, 6> matrix;  ///< M: xx, yy, zz, xy, yz, zx
+  };
+  /// Its coefficients enclosed by 128-bit arithmetic: precise even where the carriers are so near
+  /// to each other that differences of their own coefficients are all error.
+  [[nodiscard]] CarrierDifference carrier_difference(SiteId a, SiteId b);
 
  private:
   [[nodiscard]] bool behind(SiteId site, SiteId other);

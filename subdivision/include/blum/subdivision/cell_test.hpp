@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "blum/arrangement/face_diagram.hpp"
+#include "blum/kernel/predicates.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/subdivision/section.hpp"
 
@@ -17,7 +18,7 @@ enum class CellVerdict : std::uint8_t {
   kAccepted,
   kEuler,        ///< a component of cell ∩ O is not a ball
   kShellInside,  ///< a whole boundary shell lies in the cell
-  kVertex,       ///< a boundary vertex at which the axis may be disconnected
+  kVertex,       ///< a boundary vertex near which the axis is not known
   kGraph,        ///< condition (1): the graph is not connected
   kLabel,        ///< condition (2): a site governs two components of the complement
   kCluster,      ///< resolving: the shape is no sheet, seam or junction
@@ -44,9 +45,9 @@ struct CellAnswer {
 
 /// What a test asks about the cell beyond its faces.
 struct CellOracles {
-  /// Is the axis near a boundary vertex connected? Asked for vertices with convex and reflex edges
-  /// only.
-  std::function<bool(std::uint32_t vertex)> connected_at;
+  /// Predicates::axis_at, or null if it is unknown. Asked for vertices with convex and reflex edges
+  /// only. Answers must outlive the test.
+  std::function<const Predicates::AxisAtVertex*(std::uint32_t vertex)> axis_at;
   SectionTest section;  ///< empty: no planes are tried
 };
 

@@ -42,6 +42,8 @@ struct SubdivisionOptions {
   std::uint64_t seed = 1;
   Engine engine = Engine::kProduction;
   bool cuts = true;  ///< try planes that miss the axis before a cell is subdivided (Theorem E)
+  /// Cells may hold boundary vertices near which the axis falls apart, among other sites.
+  bool split_vertices = true;
   Criterion criterion = Criterion::kRelaxed;  ///< Voronoi only
   double margin = 0.1;  ///< Voronoi: how much larger than the solid's the box is, as a fraction
   VoronoiSide side = VoronoiSide::kBoth;  ///< Voronoi
