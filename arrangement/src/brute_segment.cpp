@@ -43,6 +43,12 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
   return {lo, hi};
 }
 
+/// Are both ties between the same two neighbouring doubles? Then the answer's order tells theirs.
+bool share_a_gap(const Breakpoint& a, const Breakpoint& b) {
+  return a.kind == Breakpoint::Kind::kTie && b.kind == Breakpoint::Kind::kTie && a.lo == b.lo &&
+         a.hi == b.hi && a.hi == std::nextafter(a.lo, a.hi);
+}
+
 }  // namespace
 
 std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& segment,
@@ -110,9 +116,11 @@ std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& s
       continue;
     }
     std::tie(b.lo, b.hi) = tight_bounds(setting, fiber, p / 2);
-    // Different breakpoints between the same two doubles cannot be told apart by the answer.
-    if (!out.breakpoint.empty() && b.lo < out.breakpoint.back().hi) return std::nullopt;
-    if (b.lo < segment.t0 || b.hi > segment.t1) return std::nullopt;
+    b.lo = std::max(b.lo, segment.t0);
+    b.hi = std::min(b.hi, segment.t1);
+    if (!out.breakpoint.empty() && b.lo < out.breakpoint.back().hi &&
+        (kind != DiagramKind::kVoronoi || !share_a_gap(out.breakpoint.back(), b)))
+      return std::nullopt;
     out.breakpoint.push_back(b);
   }
   BLUM_CHECK(in == is_inside(segment.t1));

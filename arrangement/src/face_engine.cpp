@@ -21,6 +21,9 @@ constexpr std::size_t kMaxStuck = 512;
 constexpr int kHardened = 16;
 constexpr std::uint32_t kMaxExactParts = 64;
 constexpr int kSplitAttempts = 8;
+/// How far a point within a strip may be from its tip (working units), or its direction from that
+/// of its edge: any positive number would do.
+constexpr double kAside = 0x1p-44;
 /// A face in general position needs some ten boxes an event: this many say that a seam runs along
 /// the plane so near that moving the plane is better.
 constexpr std::uint32_t kMaxBoxes = 50'000;
@@ -273,6 +276,51 @@ bool FaceEngine::gain_along(std::span<const GainPair> pairs, std::span<const Loc
   });
 }
 
+std::optional<Direction> FaceEngine::along_strip(std::span<const GainPair> pairs,
+                                                 std::span<const LocalForm> forms,
+                                                 const Range& range) const {
+  const SiteGeometry& geometry = context_.geometry;
+  const SiteIndex& index = geometry.index();
+  const LocalForm& own = forms[pairs.front().i];
+  if (own.kind != SiteKind::kEdge) return std::nullopt;
+  const SolidEdge& edge = geometry.solid().edge[index.element(own.site)];
+  const Point3 &p = geometry.solid().point[edge.vertex[0]],
+               &q = geometry.solid().point[edge.vertex[1]];
+  const Rect& r = problem_.rect;
+  std::vector<Direction> tried;
+  if (p[r.axis] == q[r.axis]) {
+    for (const auto& [from, to] : {std::pair{p, q}, std::pair{q, p}}) {
+      Direction d;
+      double size = 0;
+      for (const int k : {u_, v_}) size = std::max(size, std::abs(to[k] - from[k]));
+      for (const int k : {u_, v_}) d.w[k] = Ball(to[k]) - Ball(from[k]) + Ball(0.0, kAside * size);
+      tried.push_back(d);
+    }
+  } else {
+    const Ball s = divide(Ball(r.level) - Ball(p[r.axis]), Ball(q[r.axis]) - Ball(p[r.axis]));
+    Direction d;
+    bool apart = false;
+    for (const int k : {u_, v_}) {
+      // A little beside the crossing.
+      const Ball at = Ball(p[k]) + s * (Ball(q[k]) - Ball(p[k])) + Ball(0.0, kAside);
+      d.w[k] = at - Ball(range.center[k]) + Ball(0.0, range.half[k]);
+      const Ball gap = at - Ball(range.center[k]);
+      apart |= gap.low() > range.half[k] || gap.high() < -range.half[k];
+    }
+    if (!apart) return std::nullopt;
+    tried.push_back(d);
+  }
+  for (const Direction& d : tried)
+    if (std::ranges::all_of(pairs, [&](const GainPair& g) {
+          const LocalForm& other = forms[g.j];
+          return forms[g.i].site == own.site && (other.site == index.face(edge.triangle[0]) ||
+                                                 other.site == index.face(edge.triangle[1]) ||
+                                                 gains(g.slope, own, other, range, d.w));
+        }))
+      return d;
+  return std::nullopt;
+}
+
 std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
                                                std::span<const LocalForm> forms,
                                                const Range& range) {
@@ -306,6 +354,9 @@ std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
   }
   if (known)
     if (const auto d = along(against)) return d;
+
+  if (context_.voronoi())
+    if (const auto d = along_strip(pairs, forms, range)) return d;
 
   // Sites that meet in a vertex: by their corners as seen from there.
   against.clear();

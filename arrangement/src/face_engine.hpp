@@ -164,6 +164,11 @@ class FaceEngine {
                                    std::span<const std::vector<std::uint32_t>> runs,
                                    std::span<const LocalForm> forms, const Groups& groups,
                                    const Groups& feet, const Range& range);
+  /// Voronoi diagrams, Theorem D‴: within the strip of an edge, however thin it is, towards a point
+  /// of it next to its tip or, if the edge is parallel to the plane, far away.
+  [[nodiscard]] std::optional<Direction> along_strip(std::span<const GainPair> pairs,
+                                                     std::span<const LocalForm> forms,
+                                                     const Range& range) const;
   [[nodiscard]] std::optional<Direction> direction(std::span<const GainPair> pairs,
                                                    std::span<const LocalForm> forms,
                                                    const Range& range);

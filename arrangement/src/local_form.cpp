@@ -84,6 +84,25 @@ double spread(const BallVector& w, const Range& r) {
 
 double length_above(const BallVector& x) { return std::sqrt(dot(x, x).high()) * (1 + 0x1p-40); }
 
+namespace {
+
+/// Does the range lie behind a face of an edge, seen from where the edge governs? Its region is the
+/// wedge of the normals of its two faces, which lies in front of both if they are acute. The two
+/// half-spaces of the domain tell nothing where the edge is nearly flat.
+bool behind_a_face(const SiteGeometry& geometry, const SolidEdge& edge, const BallVector& from_edge,
+                   const Range& range) {
+  const auto unit = [&](std::size_t k) -> const BallVector& {
+    return geometry.unit(geometry.index().face(edge.triangle[k]));
+  };
+  const int out = edge.kind == EdgeKind::kConvex ? 1 : -1;
+  for (const std::size_t k : {0u, 1u})
+    if (with_sign(dot(unit(k), from_edge), out).high() + spread(unit(k), range) < 0)
+      return dot(unit(0), unit(1)).low() >= 0;
+  return false;
+}
+
+}  // namespace
+
 bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex, const Range& range) {
   const Solid& solid = geometry.solid();
   const BallVector x = difference(range.center, solid.point[vertex]);
@@ -163,6 +182,9 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
       out.a = {Ball(1.0), Ball(1.0), Ball(1.0), Ball(0.0), Ball(0.0), Ball(0.0)};
       break;
     case SiteKind::kEdge: {
+      if (geometry.kind() == DiagramKind::kVoronoi &&
+          behind_a_face(geometry, solid.edge[geometry.index().element(site)], d, range))
+        return false;
       const BallVector& u = geometry.unit(site);
       const Ball along = dot(d, u);
       const BallVector m = {d[0] - u[0] * along, d[1] - u[1] * along, d[2] - u[2] * along};

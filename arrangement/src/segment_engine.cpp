@@ -1,6 +1,7 @@
 #include "segment_engine.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
@@ -92,6 +93,29 @@ Breakpoint SegmentEngine::tie_between(const StretchEnd& a, const StretchEnd& b) 
   return p;
 }
 
+bool SegmentEngine::edge_between_ends(const StretchEnd& a, const StretchEnd& b,
+                                      std::span<const LocalForm> forms,
+                                      std::vector<Breakpoint>& out) {
+  if (!context_.voronoi() || forms.size() != 3 || b.t != std::nextafter(a.t, b.t)) return false;
+  const auto form_of = [&](SiteId s) {
+    return std::ranges::find_if(forms, [s](const LocalForm& f) { return f.site == s; });
+  };
+  const auto first = form_of(a.label), last = form_of(b.label);
+  if (first == forms.end() || last == forms.end() || first == last ||
+      !edge_is_between(context_.geometry, *first, *last))
+    return false;
+  const auto middle = std::ranges::find_if(
+      forms, [&](const LocalForm& f) { return f.site != first->site && f.site != last->site; });
+  const SiteIndex& index = context_.geometry.index();
+  if (middle->kind != SiteKind::kEdge) return false;
+  const auto& faces = context_.geometry.solid().edge[index.element(middle->site)].triangle;
+  for (const auto& face : {first, last})
+    if (index.face(faces[0]) != face->site && index.face(faces[1]) != face->site) return false;
+  out.push_back(tie_between(a, {b.t, b.triangle, middle->site}));
+  out.push_back(tie_between({a.t, a.triangle, middle->site}, b));
+  return true;
+}
+
 bool SegmentEngine::merge_at_most_once(const Segment& line, const StretchEnd& a,
                                        const StretchEnd& b, std::span<const LocalForm> forms,
                                        const Range& range, std::vector<Breakpoint>& out) {
@@ -157,6 +181,7 @@ Trouble SegmentEngine::isolate(const Segment& line, const StretchEnd& a, const S
     const double m = context_.split(a.t, b.t, attempt);
     if (!(m > a.t && m < b.t)) {
       if (depth < kExactDepth && isolate_exactly(line, a, b, forms, out)) return {};
+      if (edge_between_ends(a, b, forms, out)) return {};
       return {FaceStatus::kUndecided, "segment: resolution spent"};
     }
     const Point3 x = at(line, m);

@@ -48,6 +48,11 @@ class SegmentEngine {
   [[nodiscard]] bool merge_at_most_once(const Segment& line, const StretchEnd& a,
                                         const StretchEnd& b, std::span<const LocalForm> forms,
                                         const Range& range, std::vector<Breakpoint>& out);
+  /// Voronoi diagrams: nothing but two faces and the edge between their regions, at both of whose
+  /// ends a face governs: two ties, however near to each other.
+  [[nodiscard]] bool edge_between_ends(const StretchEnd& a, const StretchEnd& b,
+                                       std::span<const LocalForm> forms,
+                                       std::vector<Breakpoint>& out);
   [[nodiscard]] static Breakpoint tie_between(const StretchEnd& a, const StretchEnd& b);
   /// The same by exact algebra, for a stretch that bounds cannot decide; false if that cannot be.
   [[nodiscard]] bool isolate_exactly(const Segment& line, const StretchEnd& a, const StretchEnd& b,

@@ -83,6 +83,18 @@ bool gains(const PairSlope& slope, const Range& range, const BallVector& w) {
   return slope_upper(slope, range, w) < 0 || (!slope.constant && gains_by_fans(slope.fans, w));
 }
 
+bool edge_is_between(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b) {
+  if (a.kind != SiteKind::kFace || b.kind != SiteKind::kFace || a.side == 0 || a.side != b.side)
+    return false;
+  const Solid& solid = geometry.solid();
+  const auto t = geometry.index().element(a.site), u = geometry.index().element(b.site);
+  const EdgeKind wanted = a.side > 0 ? EdgeKind::kConvex : EdgeKind::kReflex;
+  return std::ranges::any_of(solid.triangle[t].edge, [&](auto e) {
+    const auto& faces = solid.edge[e].triangle;
+    return solid.edge[e].kind == wanted && (faces[0] == u || faces[1] == u);
+  });
+}
+
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
   if (context.voronoi()) {
     const Touch& t = context.touch(a.site, b.site);
@@ -92,6 +104,7 @@ bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, con
       const double s = spread(t.w, range);
       if (!(h.low() <= s && h.high() >= -s)) return false;
       if (t.kind == Touch::Kind::kPlane) return true;
+      if (edge_is_between(context.geometry, a, b)) return false;
     }
   }
   // Distances of faces that both govern are their heights times the same sign.

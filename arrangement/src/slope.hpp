@@ -40,6 +40,11 @@ struct Direction {
 [[nodiscard]] Direction left_normal(const Solid& solid, int axis, std::uint32_t from,
                                     std::uint32_t to);
 
+/// Voronoi diagrams: two faces on the side of their common edge where its region lies between
+/// theirs, so that they tie nowhere off the edge? False: undecided.
+[[nodiscard]] bool edge_is_between(const SiteGeometry& geometry, const LocalForm& a,
+                                   const LocalForm& b);
+
 /// May a and b tie somewhere in the range? False only if certain.
 [[nodiscard]] bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b,
                            const Range& range);

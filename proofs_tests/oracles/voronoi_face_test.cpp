@@ -52,10 +52,10 @@ void print(const Tally& t) {
             << " bad for brute alone, " << t.skipped << " skipped, " << t.events << " events\n";
 }
 
-Tally run(std::uint64_t seed, int rounds, std::size_t most, bool special) {
+Tally run(std::uint64_t seed, int rounds, std::size_t most, bool special,
+          const std::vector<Scene>& all = test::voronoi_scenes()) {
   Random random(seed);
   Tally tally;
-  const auto all = test::voronoi_scenes();
   for (int round = 0; round < rounds; ++round)
     for (const Scene& scene : all)
       compare(scene,
@@ -75,6 +75,17 @@ TEST(VoronoiFace, SpecialRectangles_GiveTheMapOfTheOracleOrNone) {
   const Tally t = run(2, 20, 9, true);
   EXPECT_LE(t.gives_up, t.problems / 10);  // planes within rounding of a bad position
   EXPECT_GT(t.same, t.problems / 2);
+}
+
+TEST(VoronoiFace, RegionsThinnerThanDoubles_GiveTheMapOfTheOracle) {
+  const Tally t = run(5, 12, 9, false, test::nearly_flat_voronoi_scenes());
+  EXPECT_EQ(t.gives_up, 0);
+  EXPECT_GT(t.same, t.problems / 2);
+}
+
+TEST(SweepVoronoiFace, ManyRegionsThinnerThanDoubles_GiveTheMapOfTheOracle) {
+  const Tally t = run(6, 200, 12, false, test::nearly_flat_voronoi_scenes());
+  EXPECT_LE(t.gives_up, t.problems / 50);
 }
 
 TEST(SweepVoronoiFace, ManyRandomRectangles_GiveTheMapOfTheOracle) {

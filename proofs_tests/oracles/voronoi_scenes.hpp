@@ -27,6 +27,17 @@ inline std::vector<Scene> voronoi_scenes() {
   return out;
 }
 
+/// Solids with edges that are flat but for rounding: their regions are thinner than doubles tell.
+inline std::vector<Scene> nearly_flat_voronoi_scenes() {
+  constexpr auto kind = DiagramKind::kVoronoi;
+  std::vector<Scene> out;
+  out.emplace_back("rounded torus", moved(shapes::torus(8, 4, 2, 0.75)), kind);
+  out.emplace_back("turned cuboid", shapes::rotate_rounded(shapes::cuboid(2, 3, 1), 1), kind);
+  out.emplace_back("turned bracket", shapes::rotate_rounded(shapes::lbracket(), 2), kind);
+  out.emplace_back("turned prism", shapes::rotate_rounded(shapes::prism(6), 3), kind);
+  return out;
+}
+
 /// A rectangle about a point near the boundary or in the box around the solid.
 inline Rect voronoi_rect(Random& random, const Scene& scene) {
   const double size = scene.extent() * std::exp(uniform(random, std::log(0.02), std::log(0.6)));

@@ -185,6 +185,7 @@ class FaceSides {
         tell(end, inside_.locate(box.lo) == InsideOracle::Where::kInside);
       } else if (node.kind == FaceNode::Kind::kSide) {
         const SegmentDiagram& line = *face_.side[node.side];
+        if (shares_its_gap(line, node.breakpoint)) continue;
         if (const auto side = side_of_tie(line.segment, line.breakpoint[node.breakpoint]))
           tell(end, *side);
       }

@@ -19,6 +19,7 @@ struct EdgeInterval {
   for (std::size_t k = 0; k < line.interval.size(); ++k) {
     const double low = k == 0 ? s.t0 : line.breakpoint[k - 1].hi,
                  high = k < line.breakpoint.size() ? line.breakpoint[k].lo : s.t1;
+    if (low > high) continue;  // between two neighbouring doubles
     all.push_back({k, point_on(s.axis, low, s.u, s.v), point_on(s.axis, high, s.u, s.v)});
   }
   return all;

@@ -31,7 +31,7 @@ struct Breakpoint {
   Kind kind = Kind::kTie;
   double lo = 0, hi = 0;       ///< the breakpoint's parameter lies in [lo, hi]
   std::uint32_t triangle = 0;  ///< kBoundary
-  SiteId below{}, above{};     ///< kTie: an exact governor at lo and one at hi
+  SiteId below{}, above{};     ///< kTie: an exact governor at lo and one at hi (but see below)
   /// kTie: where the end of [lo, hi] is not a double but the crossing of ∂O, its triangle.
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lo_triangle = kNone, hi_triangle = kNone;
@@ -39,6 +39,9 @@ struct Breakpoint {
 
 /// The diagram on an axis-parallel segment: breakpoints and the open intervals between them.
 /// interval[k] lies below breakpoint[k]; there is one more interval than breakpoints.
+/// In Voronoi diagrams several ties may lie between the same two neighbouring doubles: then they
+/// have the same lo and hi, and the order of the list; below governs lo for the first of them,
+/// above governs hi for the last.
 struct SegmentDiagram {
   struct Interval {
     bool inside = false;
@@ -48,6 +51,15 @@ struct SegmentDiagram {
   std::vector<Breakpoint> breakpoint;
   std::vector<Interval> interval;
 };
+
+/// Is it one of several ties between the same two doubles?
+[[nodiscard]] inline bool shares_its_gap(const SegmentDiagram& line, std::size_t k) {
+  const auto same = [&](std::size_t j) {
+    const Breakpoint &a = line.breakpoint[j], &b = line.breakpoint[k];
+    return a.kind == b.kind && a.lo == b.lo && a.hi == b.hi && a.lo < a.hi;
+  };
+  return (k > 0 && same(k - 1)) || (k + 1 < line.breakpoint.size() && same(k + 1));
+}
 
 /// Sides of a rectangle, each as a segment with increasing parameter.
 enum Side : std::uint8_t { kLowV = 0, kHighU = 1, kHighV = 2, kLowU = 3 };
