@@ -315,7 +315,7 @@ std::optional<Direction> FaceEngine::along_strip(std::span<const GainPair> pairs
           const LocalForm& other = forms[g.j];
           return forms[g.i].site == own.site && (other.site == index.face(edge.triangle[0]) ||
                                                  other.site == index.face(edge.triangle[1]) ||
-                                                 gains(g.slope, own, other, range, d.w));
+                                                 gains(g.slope, range, d.w));
         }))
       return d;
   return std::nullopt;

@@ -70,6 +70,12 @@ TEST(Voronoi, QuickSolids_AreCertifiedAndEulersFormulaHolds) {
     }
 }
 
+TEST(Voronoi, EdgesFlatButForRounding_AreCertified) {
+  for (const auto& mesh : {shapes::rotate_rounded(shapes::cuboid(2, 3, 1), 1),
+                           shapes::rotate_rounded(shapes::prism(6), 2)})
+    expect_certified(diagram(solid_of(mesh), 1));
+}
+
 TEST(Voronoi, EveryCriterion_GivesTheSameHomology) {
   for (const PolygonMesh& mesh : {tetrahedron(), shapes::cuboid(2, 3, 1), shapes::lbracket()}) {
     const Solid solid = solid_of(mesh);
@@ -200,6 +206,14 @@ TEST(SweepVoronoi, QuickSolids_AreCertified) {
 TEST(SweepVoronoi, CubeMinusOctant_IsCertified) { sweep(test::cube_minus_octant()); }
 TEST(SweepVoronoi, Plate_IsCertified) { sweep(shapes::plate(2, 6)); }
 TEST(SweepVoronoi, Torus_IsCertified) { sweep(shapes::planar_torus(8, 4, 2, 0.75)); }
+TEST(SweepVoronoi, RoundedTorus_IsCertified) { sweep(shapes::torus(8, 4, 2, 0.75)); }
+TEST(SweepVoronoi, TurnedSolids_AreCertified) {
+  for (const Case& c : quick())
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(std::string(c.name) + ", turned by seed " + std::to_string(seed));
+      sweep(shapes::rotate_rounded(c.mesh, seed));
+    }
+}
 TEST(SweepVoronoi, Spoon_IsCertified) { sweep(shapes::spoon()); }
 
 }  // namespace
