@@ -243,16 +243,17 @@ TEST(CellTest, SiteOnBothSidesOfAHiddenPart_IsRefused) {
 }
 
 TEST(CellTest, VertexWhereTheAxisFallsApart_IsSplit) {
-  // About the upper apex of the void, and half way to the outer wall: the sheets of the apex'
-  // convex edges end on rims, which join the sheet between apex and wall above it.
+  // About the upper apex of the void, and across the sheet half way to the outer wall.
+  const Point3 lo{-0.75, -0.625, 4}, hi{1, 1.125, 8.5};
   for (const int points : {3, 4, 5}) {
     Bench b(test::star_void(points));
-    const Point3 lo{-0.75, -0.625, 4}, hi{1, 1.125, 8.5};
+    EXPECT_EQ(b.test(lo, hi, false, false).verdict, CellVerdict::kVertex);
     const CellAnswer a = b.test(lo, hi);
-    EXPECT_EQ(a.verdict, CellVerdict::kAccepted) << points;
+    // The sheets do not meet in the cell; with four of them paths that the flow never meets join
+    // all.
+    EXPECT_EQ(a.verdict, points == 4 ? CellVerdict::kAccepted : CellVerdict::kGraph) << points;
     EXPECT_FALSE(a.conical);
     EXPECT_TRUE(b.asked.contains(b.vertex_at({0.125, 0.25, 4.5})));
-    EXPECT_EQ(b.test(lo, hi, false, false).verdict, CellVerdict::kVertex);
   }
 }
 
