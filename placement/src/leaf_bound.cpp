@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "blum/kernel/closest_point.hpp"
 #include "blum/kernel/point_algebra.hpp"
 
 namespace blum {
@@ -87,8 +85,6 @@ class TriangleBound {
     for (std::size_t k = 0; k < 3; ++k)
       if (t.on_rim[k]) best = std::min(best, distance_between(p, t.corner[k]));
     if (best < most) return best;
-    if (const auto d = from_nearest_sides(p)) best = std::min(best, *d);
-    if (best < most) return best;
     if (const auto d = distance_.exactly_at_most(p, t.a, t.b, leaf_, most))
       return std::min(best, *d);
     // Outside the solid, or where a sheet is too flat: by way of a corner.
@@ -100,23 +96,10 @@ class TriangleBound {
     return best;
   }
 
-  /// A triangle may reach beyond its sheet, to where others are.
-  std::optional<double> from_nearest_sides(const Point3& p) {
-    if (sides_.empty()) sides_ = leaf_.sides_of(leaf_.candidates());
-    if (sides_.size() < 2) return std::nullopt;
-    way_.clear();
-    for (std::size_t k = 0; k < sides_.size(); ++k)
-      way_.emplace_back(nearest_foot(tools_.geometry, sides_[k], p).distance, k);
-    std::partial_sort(way_.begin(), way_.begin() + 2, way_.end());
-    return distance_.at_most(p, sides_[way_[0].second], sides_[way_[1].second]);
-  }
-
   BoundTools& tools_;
   const LeafSides& leaf_;
   const double target_;
   AxisDistance distance_;
-  std::vector<SiteGroup> sides_;                     ///< all of the leaf, once asked for
-  std::vector<std::pair<double, std::size_t>> way_;  ///< to each of these
 };
 
 struct Box {
