@@ -48,7 +48,7 @@ void put_vti(OutputStream& out, const FieldImage& image) {
   }
   if (!image.side.empty()) {
     detail::DataArray<std::uint8_t> array(out, "side", g.voxels());
-    for (const Side s : image.side) array.put(static_cast<std::uint8_t>(s));
+    for (const FieldSide s : image.side) array.put(static_cast<std::uint8_t>(s));
   }
   out << "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }

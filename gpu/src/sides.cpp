@@ -20,16 +20,16 @@ InsideOracle oracle_in_model_units(const Solid& solid) {
   return InsideOracle(model);
 }
 
-Side side_of(InsideOracle::Where where) {
+FieldSide side_of(InsideOracle::Where where) {
   switch (where) {
     case InsideOracle::Where::kInside:
-      return Side::kInside;
+      return FieldSide::kInside;
     case InsideOracle::Where::kBoundary:
-      return Side::kBoundary;
+      return FieldSide::kBoundary;
     case InsideOracle::Where::kOutside:
       break;
   }
-  return Side::kOutside;
+  return FieldSide::kOutside;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ FieldSides sides_of(const Solid& solid, const DistanceField& field, int threads)
       for (std::size_t v = row; v < row + grid.size[0]; ++v) {
         // Both coordinates are doubles of one row: their difference is rounded once.
         const double apart = (grid.point(v).x - grid.point(known).x) * (1 + 0x1p-50);
-        const bool is_same = v != row && sides.side[known] != Side::kBoundary &&
+        const bool is_same = v != row && sides.side[known] != FieldSide::kBoundary &&
                              std::max(field.interval(known).lo, field.interval(v).lo) > apart;
         if (is_same) {
           sides.side[v] = sides.side[known];
@@ -68,20 +68,20 @@ FieldSides sides_of(const Solid& solid, const DistanceField& field, int threads)
 FieldSides sides_of(const Result<Solid>& solid, const DistanceField& field, int threads) {
   if (solid) return sides_of(solid.value(), field, threads);
   FieldSides sides;
-  sides.side.assign(field.grid.voxels(), Side::kUndefined);
+  sides.side.assign(field.grid.voxels(), FieldSide::kUndefined);
   sides.reason = solid.error().message;
   return sides;
 }
 
 double signed_distance(const DistanceField& field, const FieldSides& sides, std::size_t voxel) {
   switch (sides.side[voxel]) {
-    case Side::kOutside:
+    case FieldSide::kOutside:
       return field.distance[voxel];
-    case Side::kInside:
+    case FieldSide::kInside:
       return -field.distance[voxel];
-    case Side::kBoundary:
+    case FieldSide::kBoundary:
       return 0;
-    case Side::kUndefined:
+    case FieldSide::kUndefined:
       break;
   }
   return std::numeric_limits<double>::quiet_NaN();

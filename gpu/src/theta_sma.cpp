@@ -16,7 +16,7 @@ namespace {
 std::optional<Point3> direction(const SiteSet& sites, const DistanceField& field,
                                 const FieldSides* sides, std::size_t voxel) {
   if (field.site[voxel] == kNoSite.value || field.interval(voxel).lo <= 0) return std::nullopt;
-  if (sides != nullptr && sides->side[voxel] != Side::kInside) return std::nullopt;
+  if (sides != nullptr && sides->side[voxel] != FieldSide::kInside) return std::nullopt;
   return detail::unit(detail::minus(foot_at(sites, field, voxel), field.grid.point(voxel)));
 }
 

@@ -10,6 +10,7 @@
 #include "blum/gpu/theta_sma.hpp"
 #include "blum/kernel/shapes.hpp"
 #include "field_tools.hpp"
+#include "subdivision/solid_scenes.hpp"
 
 namespace blum {
 namespace {
@@ -139,6 +140,79 @@ TEST(ThetaSma, OfASlab_IsItsMiddlePlane) {
   EXPECT_GT(theta_sma(sites, field, &sides, 0.4 * std::numbers::pi).facets.size(), expected);
   // Without sides the outside is looked at too; there is no axis outside of a convex body.
   EXPECT_EQ(theta_sma(sites, field, nullptr, 0.9 * std::numbers::pi).facets, sma.facets);
+}
+
+/// The foot of a sample in long double, over all triangles; nullopt if another point is as near.
+std::optional<test::LongPoint> only_foot(const PolygonMesh& mesh, const test::LongPoint& x) {
+  std::vector<std::pair<long double, test::LongPoint>> all;
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const test::LongPoint y = test::nearest_on_triangle(
+          x, {test::wide(mesh.points[face[0]]), test::wide(mesh.points[face[k - 1]]),
+              test::wide(mesh.points[face[k]])});
+      const auto d = test::minus(x, y);
+      all.emplace_back(std::sqrt(test::dot(d, d)), y);
+    }
+  const auto least = std::ranges::min(all);
+  for (const auto& [d, y] : all) {
+    const auto gap = test::minus(y, least.second);
+    if (d < least.first + 1e-9L && test::dot(gap, gap) > 1e-12L) return std::nullopt;
+  }
+  return least.second;
+}
+
+TEST(ThetaSma, OfAnySolid_HasTheFacetsThatExactFeetTell) {
+  for (const PolygonMesh& mesh : {shapes::lbracket(4, 3, 1, 2), shapes::planar_torus(8, 4, 2, 0.75),
+                                  shapes::rotate_rounded(shapes::prism(5), 3)}) {
+    const SiteSet sites = sites_of(soup_of(mesh));
+    const VoxelGrid grid = grid_around(sites, {17, 19, 16}, 0.1);
+    const DistanceField field = field_of(sites, grid);
+    const FieldSides sides = sides_of(build_solid(mesh).value(), field, 1);
+    std::vector<std::optional<test::LongPoint>> to_foot(grid.voxels());  // unit, where inside
+    std::vector<bool> known(grid.voxels(), true);
+    for (std::size_t v = 0; v < grid.voxels(); ++v) {
+      if (sides.side[v] != FieldSide::kInside) continue;
+      const auto x = test::wide(grid.point(v));
+      const auto y = only_foot(mesh, x);
+      known[v] = y.has_value();
+      if (!y) continue;
+      const auto d = test::minus(*y, x);
+      const long double length = std::sqrt(test::dot(d, d));
+      to_foot[v] = test::LongPoint{d[0] / length, d[1] / length, d[2] / length};
+    }
+    for (const double degrees : {30.0, 75.0, 120.0}) {
+      const double theta = degrees * std::numbers::pi / 180;
+      const VoxelSma sma = theta_sma(sites, field, &sides, theta);
+      std::size_t wanted = 0, compared = 0;
+      for (std::size_t v = 0; v < grid.voxels(); ++v)
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto at = grid.position(v);
+          const std::size_t step = axis == 0   ? 1
+                                   : axis == 1 ? grid.size[0]
+                                               : std::size_t{grid.size[0]} * grid.size[1];
+          const bool has = std::ranges::find(sma.facets, VoxelFacet{v, axis}) != sma.facets.end();
+          if (at[axis] + 1 == grid.size[axis]) {
+            EXPECT_FALSE(has);
+            continue;
+          }
+          if (!known[v] || !known[v + step]) continue;
+          const auto &a = to_foot[v], &b = to_foot[v + step];
+          if (!a || !b) {
+            EXPECT_FALSE(has) << v;
+            continue;
+          }
+          const auto k = static_cast<std::size_t>(axis);
+          const long double angle = std::acos(std::clamp(test::dot(*a, *b), -1.0L, 1.0L)),
+                            apart = (*b)[k] - (*a)[k];
+          if (std::abs(angle - theta) < 1e-6L || std::abs(apart) < 1e-6L) continue;
+          ++compared;
+          wanted += angle >= theta && apart > 0;
+          EXPECT_EQ(has, angle >= theta && apart > 0) << v << " axis " << axis;
+        }
+      EXPECT_GT(compared, 100u);
+      EXPECT_TRUE(wanted > 10 || degrees > 100) << degrees;
+    }
+  }
 }
 
 }  // namespace

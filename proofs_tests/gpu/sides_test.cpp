@@ -26,13 +26,13 @@ std::uint64_t expect_exact_sides(const PolygonMesh& mesh, const VoxelGrid& grid,
   const InsideOracle oracle(model);
   for (std::size_t v = 0; v < grid.voxels(); ++v) {
     const auto where = oracle.locate_brute_force(grid.point(v));
-    const Side expected = where == InsideOracle::Where::kInside     ? Side::kInside
-                          : where == InsideOracle::Where::kBoundary ? Side::kBoundary
-                                                                    : Side::kOutside;
+    const FieldSide expected = where == InsideOracle::Where::kInside     ? FieldSide::kInside
+                               : where == InsideOracle::Where::kBoundary ? FieldSide::kBoundary
+                                                                         : FieldSide::kOutside;
     EXPECT_EQ(sides.side[v], expected) << "voxel " << v;
     const double d = signed_distance(field, sides, v);
-    EXPECT_EQ(std::abs(d), expected == Side::kBoundary ? 0 : field.distance[v]);
-    EXPECT_EQ(d < 0, expected == Side::kInside);
+    EXPECT_EQ(std::abs(d), expected == FieldSide::kBoundary ? 0 : field.distance[v]);
+    EXPECT_EQ(d < 0, expected == FieldSide::kInside);
   }
   EXPECT_EQ(sides_of(solid, field, 1).side, sides.side);
   return sides.exact_tests;
@@ -64,7 +64,7 @@ TEST(FieldSides, OpenSurfaces_AreUndefinedWithAReason) {
   const FieldSides sides = sides_of(build_solid(mesh), field, 1);
   EXPECT_NE(sides.reason, "");
   for (std::size_t v = 0; v < sides.side.size(); ++v) {
-    EXPECT_EQ(sides.side[v], Side::kUndefined);
+    EXPECT_EQ(sides.side[v], FieldSide::kUndefined);
     EXPECT_TRUE(std::isnan(signed_distance(field, sides, v)));
   }
 }

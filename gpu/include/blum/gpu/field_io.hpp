@@ -19,7 +19,7 @@ struct FieldImage {
   std::uint32_t order = 1;
   std::span<const double> distance;     ///< model units, signed or not; infinity beyond the band
   std::span<const std::uint32_t> site;  ///< ids, 4294967295 for none
-  std::span<const Side> side;           ///< may be empty
+  std::span<const FieldSide> side;      ///< may be empty
 };
 
 /// The extension decides; values keep every bit, and numbers in headers read back as they are.

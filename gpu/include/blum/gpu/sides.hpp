@@ -12,7 +12,7 @@
 
 namespace blum {
 
-enum class Side : std::uint8_t {
+enum class FieldSide : std::uint8_t {
   kOutside,
   kInside,
   kBoundary,   ///< exactly on the boundary
@@ -20,7 +20,7 @@ enum class Side : std::uint8_t {
 };
 
 struct FieldSides {
-  std::vector<Side> side;         ///< by voxel
+  std::vector<FieldSide> side;    ///< by voxel
   std::string reason;             ///< why everything is undefined; empty otherwise
   std::uint64_t exact_tests = 0;  ///< samples decided by the exact test, the others by continuity
 };
