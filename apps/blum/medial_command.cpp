@@ -276,6 +276,11 @@ int run_medial(MedialArguments arguments) {
   const bool certified = result.value().certified;
   if (certified) files.pop_back();
   for (const fs::path& file : files) std::cout << "wrote " << file.string() << '\n';
+  if (certified && !result.value().certificate_whole) {
+    std::cerr << "blum: " << arguments.certificate
+              << ": the certificate lacks diagrams that were not decided again (--time-limit?)\n";
+    return kNotCertified;
+  }
   const bool reached = !placement || placement->report().reached;
   return certified && reached ? kSuccess : kNotCertified;
 }

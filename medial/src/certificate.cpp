@@ -385,7 +385,7 @@ bool Writer::run(const MedialResult& result, const SubdivisionOptions& options) 
       (!write_interfaces() || !write_complex(result) ||
        (theta_ && complete_ && !write_collapses(result.complex, *result.filtration))))
     return false;
-  return line("end", {{"certified", result.certified}, {"lines", lines_ + 1}});
+  return line("end", {{"certified", result.certified}, {"lines", lines_ + 1}}) && complete_;
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct Assembly;
 /// Writes the certificate of a result, line by line. The diagrams are computed again, with their
 /// reasons: it takes about as long as the subdivision, and no memory to speak of. With theta_deg
 /// the collapses of the filtration of lower values are in it (the result must have one). Returns
-/// false if the sink did. What a result that is not certified lacks is in the certificate, too.
+/// whether it is whole: false if the sink returned false, or if a diagram was not decided again.
+/// What a result that is not certified lacks is in the certificate, too.
 bool write_certificate(const SiteGeometry& geometry, const Subdivision& subdivision,
                        const Assembly& assembly, const MedialResult& result,
                        const SubdivisionOptions& options, std::optional<double> theta_deg,

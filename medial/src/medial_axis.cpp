@@ -215,9 +215,13 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     if (watch.look() == Stop::kInterrupted)
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};
   }
-  if (certificate)
-    write_certificate(geometry, subdivided.value(), assembly, result, options,
-                      angles.certified_theta_deg, engines, certificate);
+  if (certificate) {
+    if (watch.look() == Stop::kTime)
+      watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
+    result.certificate_whole =
+        write_certificate(geometry, subdivided.value(), assembly, result, options,
+                          angles.certified_theta_deg, engines, certificate);
+  }
   result.stages = engines.stages();
   return result;
 }

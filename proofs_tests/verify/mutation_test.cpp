@@ -1,5 +1,8 @@
 // What the checker accepts and what it does not: certificates as they are written, and with one
 // change that is false by construction.
+#include <filesystem>
+
+#include "blum/kernel/mesh.hpp"
 #include "mutations.hpp"
 
 namespace blum::test {
@@ -38,6 +41,20 @@ TEST(Mutation, OfSmallCertificatesThatAreFalse_Rejected) {
 
 TEST(Mutation, OfSmallCertificatesThatKeepTheMeaning_Accepted) {
   apply_all(small(), true_mutations(), 1, true);
+}
+
+/// Whatever the program accepts a leaf for, the checker must know, too.
+TEST(VerifyFixtures, CertificatesOfFixtures_AreAccepted) {
+  for (const char* name : {"plane_sector", "vertex_governor_square_pyramid", "ray_tripod"}) {
+    SCOPED_TRACE(name);
+    const auto mesh =
+        read_mesh(std::filesystem::path(BLUM_FIXTURES_DIR) / (std::string(name) + ".off"));
+    ASSERT_TRUE(mesh.ok());
+    const Certified c(name, mesh.value());
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << answer.statement;
+    EXPECT_EQ(answer.betti, c.betti);
+  }
 }
 
 TEST(SweepMutation, ThatAreFalse_Rejected) { apply_all(larger(), false_mutations(), 10, false); }

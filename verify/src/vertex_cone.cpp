@@ -37,8 +37,14 @@ VertexCone vertex_cone(const Shape& shape, std::uint32_t vertex) {
   if (ray.size() == 1) return {Foot::kRay, true};
   Vec<Rational> middle{};
   for (const auto& r : ray) middle = plus(middle, r);
-  if (!std::ranges::all_of(tip, [&](const auto& e) { return sgn(inner(middle, e)) < 0; }))
-    return {Foot::kMaybe, false};       // a sector of a plane
+  if (!std::ranges::all_of(tip, [&](const auto& e) { return sgn(inner(middle, e)) < 0; })) {
+    // A sector of a plane, bounded by the edges that go straight on across it.
+    for (std::size_t k = 0; k < tip.size(); ++k)
+      if (shape.edge[edges[k]].bend == Bend::kConvex &&
+          std::ranges::all_of(ray, [&](const auto& r) { return sgn(inner(r, tip[k])) == 0; }))
+        return {Foot::kNever, true};
+    return {Foot::kMaybe, false};
+  }
   std::vector<std::uint32_t> bounding;  // edges tight on two extreme rays
   for (std::size_t k = 0; k < tip.size(); ++k)
     if (std::ranges::count_if(ray, [&](const auto& r) { return sgn(inner(r, tip[k])) == 0; }) >= 2)

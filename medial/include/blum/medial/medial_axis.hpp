@@ -64,6 +64,9 @@ struct VoronoiCheck {
 struct MedialResult {
   DiagramKind kind = DiagramKind::kMedial;
   bool certified = false;
+  /// With a certificate: every diagram is in it with its reasons. (It takes as long to write as the
+  /// subdivision; past the time limit a part is missing, and a referee refuses it.)
+  bool certificate_whole = true;
   bool smoothed = false;  ///< positions are for display: of the complex alone is it certified
   CellComplex complex;    ///< without what lies in undecided cells; empty where all of it does
   Parts parts;
