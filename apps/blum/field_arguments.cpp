@@ -211,10 +211,15 @@ std::string arguments_problem(const FieldArguments& a) {
     std::error_code ignored;
     if (fs::equivalent(file, a.model, ignored)) return "the model would be overwritten";
   }
-  const std::uint32_t n =
-      a.resolution.size() == 3 ? a.resolution[static_cast<std::size_t>(a.slice_axis)] : 0;
-  if (n > 0 && a.slice_index && *a.slice_index >= n) return "--slice-index: beyond the grid";
+  if (a.resolution.size() == 3)
+    return slice_problem(a, {a.resolution[0], a.resolution[1], a.resolution[2]});
   return {};
+}
+
+std::string slice_problem(const FieldArguments& a, const std::array<std::uint32_t, 3>& size) {
+  const bool is_beyond =
+      a.slice_index && *a.slice_index >= size[static_cast<std::size_t>(a.slice_axis)];
+  return is_beyond ? "--slice-index: beyond the grid" : "";
 }
 
 Result<VoxelGrid> grid_of(const FieldArguments& a, const Box3& model) {
@@ -249,9 +254,8 @@ Result<VoxelGrid> grid_of(const FieldArguments& a, const Box3& model) {
     }
   }
   Result<VoxelGrid> grid = make_grid(box, size);
-  if (grid && a.slice_index && *a.slice_index >= size[static_cast<std::size_t>(a.slice_axis)]) {
-    return Error{ErrorCode::kBadArgument, "--slice-index: beyond the grid", {}, {}};
-  }
+  const std::string problem = slice_problem(a, size);
+  if (grid && !problem.empty()) return Error{ErrorCode::kBadArgument, problem, {}, {}};
   return grid;
 }
 

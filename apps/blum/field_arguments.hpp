@@ -39,6 +39,10 @@ void add_field_options(CLI::App& command, FieldArguments& arguments);
 /// The same of the options that resolve_backend has filled in.
 [[nodiscard]] std::string resolved_problem(const FieldArguments& arguments);
 
+/// The same of --slice-index, once the size of the grid is known.
+[[nodiscard]] std::string slice_problem(const FieldArguments& arguments,
+                                        const std::array<std::uint32_t, 3>& size);
+
 /// The grid asked for: the given box, or the model's with a tenth more on every side.
 [[nodiscard]] Result<VoxelGrid> grid_of(const FieldArguments& arguments, const Box3& model);
 

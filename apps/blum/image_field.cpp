@@ -49,9 +49,8 @@ int run_image_field(const FieldArguments& arguments) {
   if (grid.value().voxels() > kMostVoxels) {
     return report_too_large("more than " + std::to_string(kMostVoxels) + " voxels");
   }
-  if (arguments.slice_index &&
-      *arguments.slice_index >= grid.value().size[static_cast<std::size_t>(arguments.slice_axis)]) {
-    return report_usage("--slice-index: beyond the grid");
+  if (const std::string problem = slice_problem(arguments, grid.value().size); !problem.empty()) {
+    return report_usage(problem);
   }
   // The image, what the transform takes, and the ids as they are written.
   const std::uint64_t needed =

@@ -100,8 +100,7 @@ int run_medial(MedialArguments arguments) {
       !arguments.certificate.empty()) {
     return report_usage(
         "--simplify sma: keeps no homotopy type that a certificate could be about; use hma, or "
-        "write "
-        "the certificate in a run without --theta");
+        "write the certificate in a run without --theta");
   }
   if (arguments.smooth && !arguments.certificate.empty()) {
     return report_usage("--smooth: for display only, a certificate is about the exact result");

@@ -43,12 +43,6 @@ std::pair<double, double> tight_bounds(const Setting& s, const Fiber& fiber, int
   return {lo, hi};
 }
 
-/// Are both ties between the same two neighbouring doubles? Then the answer's order tells theirs.
-bool share_a_gap(const Breakpoint& a, const Breakpoint& b) {
-  return a.kind == Breakpoint::Kind::kTie && b.kind == Breakpoint::Kind::kTie && a.lo == b.lo &&
-         a.hi == b.hi && a.hi == std::nextafter(a.lo, a.hi);
-}
-
 }  // namespace
 
 std::optional<SegmentDiagram> brute_segment(const Solid& solid, const Segment& segment,

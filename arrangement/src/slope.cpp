@@ -87,12 +87,9 @@ bool edge_is_between(const SiteGeometry& geometry, const LocalForm& a, const Loc
   if (a.kind != SiteKind::kFace || b.kind != SiteKind::kFace || a.side == 0 || a.side != b.side)
     return false;
   const Solid& solid = geometry.solid();
-  const auto t = geometry.index().element(a.site), u = geometry.index().element(b.site);
-  const EdgeKind wanted = a.side > 0 ? EdgeKind::kConvex : EdgeKind::kReflex;
-  return std::ranges::any_of(solid.triangle[t].edge, [&](auto e) {
-    const auto& faces = solid.edge[e].triangle;
-    return solid.edge[e].kind == wanted && (faces[0] == u || faces[1] == u);
-  });
+  const auto e =
+      solid.common_edge(geometry.index().element(a.site), geometry.index().element(b.site));
+  return e && solid.edge[*e].kind == (a.side > 0 ? EdgeKind::kConvex : EdgeKind::kReflex);
 }
 
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {

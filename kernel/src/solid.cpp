@@ -12,6 +12,12 @@
 
 namespace blum {
 
+std::optional<std::uint32_t> Solid::common_edge(std::uint32_t a, std::uint32_t b) const {
+  for (const auto e : triangle[a].edge)
+    if (std::ranges::find(triangle[b].edge, e) != triangle[b].edge.end()) return e;
+  return std::nullopt;
+}
+
 std::array<long, 3> Solid::betti() const {
   std::array<long, 3> b = {static_cast<long>(components), 0, 0};
   for (const Shell& s : shell) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "blum/kernel/check.hpp"
@@ -415,12 +416,13 @@ void Assembler::add_leaf(std::uint32_t index) {
     // The boundary edges inside the leaf that the diagram ends on belong to its graph.
     std::map<std::uint32_t, std::vector<std::uint32_t>> ends;
     for (const auto& [edge, vertex] : graph.crossing) ends[edge].push_back(vertex);
+    std::set<std::uint32_t> seen;
     for (const auto t : leaf.triangles)
       for (const auto v : solid_.triangle[t].vertex) {
         const Point3& p = solid_.point[v];
         bool inside = true;
         for (int k = 0; k < 3; ++k) inside &= p[k] > leaf.box.lo[k] && p[k] < leaf.box.hi[k];
-        if (!inside) continue;
+        if (!inside || !seen.insert(v).second) continue;
         const auto axis = medial_ ? engines_.production(0).predicates().axis_at(v) : std::nullopt;
         const auto edges = solid_.edges_at(v);
         for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -436,9 +438,7 @@ void Assembler::add_leaf(std::uint32_t index) {
             placed.governors = {geometry_.index().vertex(v)};
             it->second = add_vertex(placed, ComplexVertex::Kind::kBoundary);
           }
-          auto& list = ends[e];
-          if (std::find(list.begin(), list.end(), it->second) == list.end())
-            list.push_back(it->second);
+          ends[e].push_back(it->second);
         }
       }
     for (const auto& [edge, list] : ends) {

@@ -60,14 +60,10 @@ nlohmann::json CellNames::edge(std::uint32_t e) const {
       break;
   }
   // The boundary edge between the two triangles beside it.
-  const Solid& solid = geometry_.solid();
-  const auto a = geometry_.index().element(edge.governors[0]),
-             b = geometry_.index().element(edge.governors[1]);
-  const auto& edges = solid.triangle[a].edge;
-  const auto common = std::ranges::find_if(edges, [&](auto x) {
-    return std::ranges::find(solid.edge[x].triangle, b) != solid.edge[x].triangle.end();
-  });
-  BLUM_CHECK(common != edges.end());
+  const SiteIndex& index = geometry_.index();
+  const auto common = geometry_.solid().common_edge(index.element(edge.governors[0]),
+                                                    index.element(edge.governors[1]));
+  BLUM_CHECK(common.has_value());
   return Json::array({"edge", edge_number_[*common], leaf_of_edge_[e]});
 }
 

@@ -19,27 +19,16 @@
 #include <vector>
 
 #include "medial/parts_builder.hpp"
+#include "test_folder.hpp"
 
 namespace blum {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// A fresh directory that goes with the test.
 class IoTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "blum_io_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    directory_ = name;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(directory_)) {
@@ -49,7 +38,8 @@ class IoTest : public testing::Test {
     return names;
   }
 
-  fs::path directory_;
+  const test::Folder folder_;
+  const fs::path directory_ = folder_.path();
 };
 
 const std::vector<double> kAwkward = {
@@ -99,7 +89,7 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 TEST_F(IoTest, Ma_ReadsBackBitIdentical) {
   const MedialResult r = seam_result();
   ASSERT_FALSE(write_ma(r, directory_ / "x.ma"));
-  std::istringstream in(content(directory_ / "x.ma"));
+  std::istringstream in(test::bytes_of(directory_ / "x.ma"));
   std::size_t nv, ne, nf;
   in >> nv >> ne >> nf;
   ASSERT_EQ(nv, r.complex.vertex.size());
@@ -131,7 +121,7 @@ TEST_F(IoTest, Ma_ReadsBackBitIdentical) {
 TEST_F(IoTest, Obj_DrawsSeamsAsLines) {
   const MedialResult r = seam_result();
   ASSERT_FALSE(write_obj(r, directory_ / "x.obj"));
-  const std::string text = content(directory_ / "x.obj");
+  const std::string text = test::bytes_of(directory_ / "x.obj");
   EXPECT_NE(text.find("f 1 2 3\nf 1 2 3\nf 1 2 3\n"), std::string::npos);
   EXPECT_NE(text.find("l 1 3\n"), std::string::npos);
   EXPECT_NE(text.find("l 2 3\n"), std::string::npos);
@@ -184,7 +174,7 @@ std::vector<T> values(const std::string& bytes) {
 TEST_F(IoTest, Vtp_ReadsBackBitIdentical) {
   const MedialResult r = seam_result();
   ASSERT_FALSE(write_vtp(r, tetrahedron(), directory_ / "x.vtp"));
-  auto arrays = vtp_arrays(content(directory_ / "x.vtp"));
+  auto arrays = vtp_arrays(test::bytes_of(directory_ / "x.vtp"));
   const auto points = values<double>(arrays.at("Points"));
   const auto radius = values<double>(arrays.at("radius"));
   ASSERT_EQ(points.size(), 9u);
@@ -232,7 +222,7 @@ TEST_F(IoTest, Vtp_SaysWhatItHolds) {
   r.parts.clusters = 5;
   const auto arrays_of = [&] {
     EXPECT_FALSE(write_vtp(r, tetrahedron(), directory_ / "x.vtp"));
-    return vtp_arrays(content(directory_ / "x.vtp"));
+    return vtp_arrays(test::bytes_of(directory_ / "x.vtp"));
   };
   const auto number = [](const auto& arrays, const char* name) {
     return values<std::int64_t>(arrays.at(name)).at(0);
@@ -275,7 +265,7 @@ TEST_F(IoTest, Vtp_SaysWhatItHolds) {
 
 TEST_F(IoTest, Vtp_OfAnEmptyResult_IsWellFormed) {
   ASSERT_FALSE(write_vtp(MedialResult{}, Solid{}, directory_ / "x.vtp"));
-  const auto arrays = vtp_arrays(content(directory_ / "x.vtp"));
+  const auto arrays = vtp_arrays(test::bytes_of(directory_ / "x.vtp"));
   EXPECT_EQ(arrays.at("Points"), "");
   EXPECT_EQ(values<std::int64_t>(arrays.at("governor_offset")), std::vector<std::int64_t>{0});
 }
@@ -284,7 +274,7 @@ TEST_F(IoTest, Undecided_AreBoxesOfSixQuadrilateralsFacingOutwards) {
   const std::vector<UndecidedCell> cells{{{{0, 0, 0}, {1, 2, 3}}, UndecidedReason::kTime, 7},
                                          {{{4, 5, 6}, {8, 8, 8}}, UndecidedReason::kDepth, 96}};
   ASSERT_FALSE(write_undecided(cells, directory_ / "x.undecided.vtp"));
-  const auto arrays = vtp_arrays(content(directory_ / "x.undecided.vtp"));
+  const auto arrays = vtp_arrays(test::bytes_of(directory_ / "x.undecided.vtp"));
   const auto reason = values<std::uint8_t>(arrays.at("reason"));
   const auto depth = values<std::int32_t>(arrays.at("depth"));
   const auto cell = values<std::int64_t>(arrays.at("cell"));
@@ -341,7 +331,7 @@ TEST_F(IoTest, WriteMedial_WritesTextsAlongOrNothing) {
   EXPECT_TRUE(files().empty());
   const std::vector<TextFile> good = {{directory_ / "s.json", "{}"}};
   ASSERT_FALSE(write_medial(r, tetrahedron(), directory_ / "x", good));
-  EXPECT_EQ(content(directory_ / "s.json"), "{}");
+  EXPECT_EQ(test::bytes_of(directory_ / "s.json"), "{}");
   EXPECT_EQ(files().size(), 4u);
 }
 
@@ -392,14 +382,15 @@ TEST_F(IoTest, DiskFull_KeepsTheOldFilesAndRemovesTemporaries) {
   EXPECT_EQ(error->code, ErrorCode::kOutputNotWritten);
   EXPECT_EQ(error->file, (directory_ / "x.vtp").string());
   EXPECT_EQ(files(), (std::vector<std::string>{"x.ma", "x.obj", "x.vtp"}));
-  for (const char* name : {"x.ma", "x.vtp", "x.obj"}) EXPECT_EQ(content(directory_ / name), "old");
+  for (const char* name : {"x.ma", "x.vtp", "x.obj"})
+    EXPECT_EQ(test::bytes_of(directory_ / name), "old");
 }
 
 TEST_F(IoTest, Text_ReplacesAnOldFileAsAWhole) {
   std::ofstream(directory_ / "s.json") << std::string(500000, 'x');
   const std::string text = std::string(200000, 'y') + "end\n";  // longer than the writer's buffer
   ASSERT_FALSE(write_text(text, directory_ / "s.json"));
-  EXPECT_EQ(content(directory_ / "s.json"), text);
+  EXPECT_EQ(test::bytes_of(directory_ / "s.json"), text);
   EXPECT_EQ(files(), std::vector<std::string>{"s.json"});
 }
 

@@ -1,7 +1,6 @@
 // Values that no result of ours has, and coordinates near the ends of what a model may have.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -22,6 +21,7 @@
 #include "blum/show/visible.hpp"
 #include "blum/show/vtp_file.hpp"
 #include "subdivision/solid_scenes.hpp"
+#include "test_folder.hpp"
 
 namespace blum {
 namespace {
@@ -32,19 +32,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class ForeignFile : public testing::Test {
  protected:
-  ForeignFile() {
-    folder_ =
-        fs::temp_directory_path() / ("blum_foreign_" + std::to_string(getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~ForeignFile() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
-  [[nodiscard]] static std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
   /// Writes x.vtp.
   void write(const PolygonMesh& mesh) {
     const Solid solid = test::solid_of(mesh);
@@ -61,11 +49,11 @@ class ForeignFile : public testing::Test {
     options.colour = colour;
     options.legend = false;
     EXPECT_TRUE(render_png(scene, options, file("x.png")).ok());
-    return content(file("x.png"));
+    return test::bytes_of(file("x.png"));
   }
 
  private:
-  fs::path folder_;
+  test::Folder folder_;
 };
 
 /// The file with the (last) array of that name in doubles instead, its value `at` changed.
@@ -88,7 +76,7 @@ std::string with_value(const std::string& text, const std::string& name, std::ve
 
 TEST_F(ForeignFile, EveryArrayWithABadValue_IsRefusedOrShown) {
   write(shapes::cuboid(1, 2, 3));
-  const std::string whole = content(file("x.vtp"));
+  const std::string whole = test::bytes_of(file("x.vtp"));
   const VtpFile read = read_vtp(file("x.vtp")).value();
   std::map<std::string, VtpArray> arrays = {{"Points", {3, {}}}};
   for (const Point3& p : read.point)
@@ -158,7 +146,7 @@ TEST_F(ForeignFile, HugeAndTinyModels_LookAlike) {
     const Scene scene = read_scene(file("x")).value();
     const std::string now = shown(scene, "radius");
     EXPECT_FALSE(write_page(scene, {}, file("x.html")).has_value());
-    const std::string now_page = content(file("x.html"));
+    const std::string now_page = test::bytes_of(file("x.html"));
     if (power == 0) {
       picture = now;
       page = now_page;

@@ -3,7 +3,6 @@
 #include "blum/show/scene.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "blum/show/visible.hpp"
 #include "blum/show/vtp_file.hpp"
 #include "subdivision/solid_scenes.hpp"
+#include "test_folder.hpp"
 
 namespace blum {
 namespace {
@@ -23,14 +23,6 @@ namespace fs = std::filesystem;
 
 class SceneTest : public testing::Test {
  protected:
-  SceneTest() {
-    folder_ =
-        fs::temp_directory_path() / ("blum_scene_" + std::to_string(getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  ~SceneTest() override { fs::remove_all(folder_); }
-
   MedialResult write(const PolygonMesh& mesh) {
     const Solid solid = test::solid_of(mesh);
     AngleOptions angles;
@@ -39,20 +31,17 @@ class SceneTest : public testing::Test {
     EXPECT_FALSE(write_medial(axis, solid, prefix()).has_value());
     return axis;
   }
-  [[nodiscard]] fs::path prefix() const { return folder_ / "x"; }
-  [[nodiscard]] fs::path vtp() const { return folder_ / "x.vtp"; }
-  [[nodiscard]] std::string text() const {
-    std::ifstream in(vtp(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  [[nodiscard]] fs::path prefix() const { return folder_.path() / "x"; }
+  [[nodiscard]] fs::path vtp() const { return folder_.path() / "x.vtp"; }
+  [[nodiscard]] std::string text() const { return test::bytes_of(vtp()); }
   /// The summary beside it; a foreign file may have its name.
   void put_json(const std::string& text) const {
-    std::ofstream(folder_ / "x.json", std::ios::binary) << text;
+    std::ofstream(folder_.path() / "x.json", std::ios::binary) << text;
   }
   void put(const std::string& text) const { std::ofstream(vtp(), std::ios::binary) << text; }
 
  private:
-  fs::path folder_;
+  test::Folder folder_;
 };
 
 TEST_F(SceneTest, FileOfAnAxis_ReadsBackAsItIs) {

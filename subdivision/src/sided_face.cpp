@@ -21,13 +21,6 @@ namespace {
 
 constexpr std::uint32_t kNone = SidedFace::kNone;
 
-/// The edge that two triangles have in common.
-std::optional<std::uint32_t> common_edge(const Solid& solid, std::uint32_t a, std::uint32_t b) {
-  for (const auto e : solid.triangle[a].edge)
-    if (std::ranges::find(solid.triangle[b].edge, e) != solid.triangle[b].edge.end()) return e;
-  return std::nullopt;
-}
-
 /// Ends of arcs are put together in classes that lie on one side.
 class FaceSides {
  public:
@@ -164,8 +157,8 @@ class FaceSides {
       }
       if (!faces) continue;
       // Balls that touch both triangles of a convex edge lie inside, of a reflex edge outside.
-      const auto e = common_edge(solid_, geometry_.index().element(a.left),
-                                 geometry_.index().element(a.right));
+      const auto e =
+          solid_.common_edge(geometry_.index().element(a.left), geometry_.index().element(a.right));
       if (!e || solid_.edge[*e].kind == EdgeKind::kFlat) continue;
       tell(2 * k, solid_.edge[*e].kind == EdgeKind::kConvex);
       tell(2 * k + 1, solid_.edge[*e].kind == EdgeKind::kConvex);

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -52,13 +53,17 @@ struct SegmentDiagram {
   std::vector<Interval> interval;
 };
 
+/// Are both ties between the same two neighbouring doubles?
+[[nodiscard]] inline bool share_a_gap(const Breakpoint& a, const Breakpoint& b) {
+  return a.kind == Breakpoint::Kind::kTie && b.kind == Breakpoint::Kind::kTie && a.lo == b.lo &&
+         a.hi == b.hi && a.lo < a.hi && a.hi == std::nextafter(a.lo, a.hi);
+}
+
 /// Is it one of several ties between the same two doubles?
 [[nodiscard]] inline bool shares_its_gap(const SegmentDiagram& line, std::size_t k) {
-  const auto same = [&](std::size_t j) {
-    const Breakpoint &a = line.breakpoint[j], &b = line.breakpoint[k];
-    return a.kind == b.kind && a.lo == b.lo && a.hi == b.hi && a.lo < a.hi;
-  };
-  return (k > 0 && same(k - 1)) || (k + 1 < line.breakpoint.size() && same(k + 1));
+  const auto& b = line.breakpoint;
+  return (k > 0 && share_a_gap(b[k - 1], b[k])) ||
+         (k + 1 < b.size() && share_a_gap(b[k], b[k + 1]));
 }
 
 /// Sides of a rectangle, each as a segment with increasing parameter.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -79,6 +80,8 @@ struct Solid {
     return std::span(vertex_triangle)
         .subspan(vertex_triangle_begin[v], vertex_triangle_begin[v + 1] - vertex_triangle_begin[v]);
   }
+  /// The edge that two triangles have in common.
+  [[nodiscard]] std::optional<std::uint32_t> common_edge(std::uint32_t a, std::uint32_t b) const;
   /// Betti numbers of the solid (theory section 7): components, sum of genera, voids.
   [[nodiscard]] std::array<long, 3> betti() const;
 };
