@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -14,6 +16,7 @@
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
 #include "blum/subdivision/sided_face.hpp"
+#include "leaf_surface.hpp"
 #include "locate.hpp"
 
 namespace blum {
@@ -67,6 +70,7 @@ class Assembler {
   using LineKey = std::tuple<int, double, double>;
   struct LeafGraph {
     std::vector<std::uint32_t> arc;                                 // complex edges
+    std::vector<std::uint32_t> interface;                           // of leaves with a tube
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  // (boundary edge, vertex)
   };
 
@@ -97,6 +101,11 @@ class Assembler {
   void drop(const Interface& interface);
   void add_interface(Interface& interface);
   void add_leaf(std::uint32_t leaf);
+  [[nodiscard]] std::optional<std::vector<Crossing>> tube_of(std::uint32_t leaf) const;
+  /// The sheets in a leaf with a tube run around it: into a ring of three vertices, the first of
+  /// which is the apex of `cone`. Requires: spokes to it from all vertices.
+  void add_tube(std::uint32_t leaf, std::uint32_t cone, std::span<const Crossing> crossing,
+                const std::map<std::uint32_t, std::uint32_t>& spoke);
   void drop_unused_vertices();
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
   [[nodiscard]] const Leaf& donor(const Interface& i) const;
@@ -121,7 +130,8 @@ class Assembler {
   std::vector<LeafGraph> graph_;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> boundary_vertex_;  // by vertex and tree
   CellComplex complex_;
-  bool partial_ = false;  // some leaf is undecided
+  bool partial_ = false;               // some leaf is undecided
+  std::vector<std::uint32_t> unread_;  // leaves with a tube that could not be read
 };
 
 const Leaf& Assembler::donor(const Interface& i) const {
@@ -406,6 +416,26 @@ void Assembler::add_interface(Interface& interface) {
     complex_.edge.push_back(e);
     each_leaf([&](LeafGraph& g) { g.arc.push_back(id); });
   }
+  for (const auto leaf : {interface.low, interface.high})
+    if (leaf != kNone && !subdivision_.leaf[leaf].tube.empty())
+      graph_[leaf].interface.push_back(static_cast<std::uint32_t>(&interface - interface_.data()));
+}
+
+std::optional<std::vector<Crossing>> Assembler::tube_of(std::uint32_t leaf) const {
+  LeafSurface surface;
+  for (const auto k : graph_[leaf].interface) {
+    const Interface& interface = interface_[k];
+    surface.add(*interface.diagram);
+    for (std::uint32_t a = 0; a < interface.diagram->arc.size(); ++a)
+      surface.add_arc(interface.diagram->arc[a], complex_.edge[interface.first_edge + a].vertex);
+    std::array<std::size_t, 4> passed{};
+    for_each_part(interface, [&](int s, const Segment& part) {
+      const auto ties = tie_[tie_of_.at(key_of(part))].vertex.size();
+      surface.add_part(key_of(part), s, passed[s], ties);
+      passed[s] += ties;
+    });
+  }
+  return surface.tube(subdivision_.leaf[leaf].tube);
 }
 
 void Assembler::add_leaf(std::uint32_t index) {
@@ -531,13 +561,83 @@ void Assembler::add_leaf(std::uint32_t index) {
     spoke[v] = static_cast<std::uint32_t>(complex_.edge.size());
     complex_.edge.push_back(e);
   }
-  for (const auto e : graph.arc) {
+  std::vector<Crossing> crossing;  // arcs by their place in graph.arc
+  if (!leaf.tube.empty()) {
+    if (auto found = tube_of(index))
+      crossing = *std::move(found);
+    else
+      unread_.push_back(index);
+  }
+  std::vector<bool> crossed(graph.arc.size(), false);
+  for (const Crossing& c : crossing) crossed[c.arc] = true;
+  for (std::size_t k = 0; k < graph.arc.size(); ++k) {
+    if (crossed[k]) continue;
+    const auto e = graph.arc[k];
     const ComplexEdge base = complex_.edge[e];
     ComplexTriangle t;
     t.edge = {e, spoke.at(base.vertex[0]), spoke.at(base.vertex[1])};
     t.cone = cone_of.at(components.find(local.at(base.vertex[0])));
     t.governors = base.governors;
     complex_.triangle.push_back(t);
+  }
+  if (!crossing.empty()) add_tube(index, cone_of.begin()->second, crossing, spoke);
+}
+
+void Assembler::add_tube(std::uint32_t index, std::uint32_t first,
+                         std::span<const Crossing> crossing,
+                         const std::map<std::uint32_t, std::uint32_t>& spoke) {
+  const Leaf& leaf = subdivision_.leaf[index];
+  const std::vector<std::uint32_t>& arc = graph_[index].arc;
+  const auto ends_of = [&](const Crossing& c) {
+    auto [g, h] = complex_.edge[arc[c.arc]].vertex;
+    return c.forward ? std::array{g, h} : std::array{h, g};
+  };
+  const std::uint32_t apex = complex_.cone[first].apex;
+  // Halfway to the ends of the crossed arcs, on either side.
+  std::array<std::uint32_t, 3> ring{apex, 0, 0}, cone{first, 0, 0};
+  for (const std::size_t k : {1, 2}) {
+    Point3 x{};
+    for (const Crossing& c : crossing) {
+      const Point3& p = complex_.vertex[ends_of(c)[k - 1]].position;
+      for (int i = 0; i < 3; ++i) x[i] += p[i] / static_cast<double>(crossing.size());
+    }
+    const Point3& p = complex_.vertex[apex].position;
+    for (int i = 0; i < 3; ++i) x[i] = std::midpoint(x[i], p[i]);
+    x = solid_.frame.to_working(x);
+    for (int i = 0; i < 3; ++i) x[i] = std::clamp(x[i], leaf.box.lo[i], leaf.box.hi[i]);
+    ring[k] = add_vertex(locator_of(0).anywhere(x, leaf.candidates), ComplexVertex::Kind::kCone);
+    cone[k] = static_cast<std::uint32_t>(complex_.cone.size());
+    complex_.cone.push_back({.leaf = index, .apex = ring[k]});
+  }
+  const auto add_edge = [&](std::uint32_t v, std::size_t k,
+                            const std::array<SiteId, 2>& governors) {
+    ComplexEdge e;
+    e.vertex = {v, ring[k]};
+    e.kind = ComplexEdge::Kind::kCone;
+    e.leaf = cone[k];
+    e.governors = governors;
+    complex_.edge.push_back(e);
+    return static_cast<std::uint32_t>(complex_.edge.size() - 1);
+  };
+  const auto any = complex_.edge[arc[crossing.front().arc]].governors;
+  const auto ring01 = add_edge(ring[0], 1, any), ring12 = add_edge(ring[1], 2, any),
+             ring02 = add_edge(ring[0], 2, any);
+  for (const Crossing& c : crossing) {
+    const auto governors = complex_.edge[arc[c.arc]].governors;
+    const auto [g, h] = ends_of(c);
+    const auto g1 = add_edge(g, 1, governors), g2 = add_edge(g, 2, governors),
+               h2 = add_edge(h, 2, governors);
+    const auto add = [&](std::uint32_t base, std::uint32_t e1, std::uint32_t e2, std::size_t k) {
+      complex_.triangle.push_back({{base, e1, e2}, cone[k], governors});
+    };
+    // The strip between the arc and the way round: apex, ring[1], ring[2], apex.
+    add(spoke.at(g), g1, ring01, 1);
+    add(g1, g2, ring12, 2);
+    if (c.forward)
+      add(arc[c.arc], g2, h2, 2);
+    else
+      add(arc[c.arc], h2, g2, 2);
+    add(spoke.at(h), h2, ring02, 2);
   }
 }
 
@@ -560,6 +660,7 @@ void Assembler::add_leaves() {
     if (stopped()) return;
     if (is_accepted(leaves[l]) && !dropped_[l]) add_leaf(l);
   }
+  for (const auto l : unread_) dropped_[l] = true;
 }
 
 /// Ties and events of the side that is not wanted are on no edge.

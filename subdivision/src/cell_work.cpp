@@ -134,10 +134,12 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
       return section_misses_axis(geometry_, production_, work_.engines.inside(), plane, cell.box,
                                  cell.candidates, cell.triangles);
     };
-  CellAnswer a = medial_ ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles,
-                                     cell.face, oracles, resolve)
-                         : test_voronoi_cell(production_.predicates(), cell.box, cell.candidates,
-                                             cell.face, options_.criterion, resolve);
+  CellAnswer a = medial_
+                     ? test_cell(geometry_, cell.box, cell.candidates, cell.triangles, cell.face,
+                                 oracles, resolve)
+                     : test_voronoi_cell(production_.predicates(), cell.box, cell.candidates,
+                                         cell.face, options_.criterion, resolve,
+                                         options_.tubes && (!one_sided_ || cell.triangles.empty()));
   stats_.planes_tried += static_cast<std::size_t>(a.planes_tried);
   leaf.theorem = !medial_    ? LeafTheorem::kVoronoi
                  : a.conical ? LeafTheorem::kConical
@@ -145,6 +147,7 @@ CellVerdict CellWorker::test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf) {
   leaf.boundary_vertex = a.vertex;
   leaf.has_axis = a.has_axis;
   leaf.cut = std::move(a.cut);
+  leaf.tube = std::move(a.tube);
   // A cluster that is one degenerate junction cannot be refined away.
   if (a.verdict == CellVerdict::kCluster && one_junction(cell, cell.face))
     a.verdict = CellVerdict::kAccepted;

@@ -180,7 +180,7 @@ Subdivision Subdivider::numbered() {
   Subdivision r;
   r.side = work_.options.side;
   r.stats = result_.stats;
-  r.stats.leaves_cut = 0;
+  r.stats.leaves_cut = r.stats.tubes = 0;
   r.node.reserve(result_.node.size());
   r.leaf.reserve(result_.leaf.size());
   r.node.push_back(result_.node[0]);
@@ -191,6 +191,7 @@ Subdivision Subdivider::numbered() {
     if (r.node[n].axis < 0) {
       r.leaf.push_back(std::move(result_.leaf[r.node[n].leaf]));
       r.stats.leaves_cut += r.leaf.back().cut.empty() ? 0 : 1;
+      r.stats.tubes += r.leaf.back().tube.empty() ? 0 : 1;
       r.node[n].leaf = static_cast<std::uint32_t>(r.leaf.size() - 1);
       continue;
     }

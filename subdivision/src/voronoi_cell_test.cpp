@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -29,13 +30,15 @@ class VoronoiCell {
     components_ = surface_.count_components();
   }
 
-  [[nodiscard]] CellAnswer test(Criterion criterion, bool resolve);
+  [[nodiscard]] CellAnswer test(Criterion criterion, bool resolve, bool tubes);
 
  private:
   [[nodiscard]] Place place(SiteId s) const { return place_.at(s.value).place; }
   [[nodiscard]] bool none_hidden() const;
   [[nodiscard]] bool one_piece_each() const;
   [[nodiscard]] bool pieces_are_separate();
+  [[nodiscard]] std::optional<SiteId> tube();
+  [[nodiscard]] bool flow_only_enters(std::uint32_t piece);
   [[nodiscard]] CellVerdict strict();
   [[nodiscard]] bool at_one_vertex() const;
 
@@ -45,6 +48,7 @@ class VoronoiCell {
   std::unordered_map<std::uint32_t, SitePlace> place_;             // of the candidates
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_of_;  // of the sites that show
   std::uint32_t components_ = 0;
+  std::unordered_map<std::uint32_t, bool> known_;  // see pieces_are_separate
 };
 
 bool VoronoiCell::none_hidden() const {
@@ -59,13 +63,16 @@ bool VoronoiCell::one_piece_each() const {
 
 /// Condition (2) of Theorem V.
 bool VoronoiCell::pieces_are_separate() {
-  // Pieces that are not yet known to belong to different components of their region in the cell.
-  std::unordered_map<std::uint32_t, bool> known;
+  // Of sites with several pieces: is a piece known to belong to a component of its own in the cell?
+  // Empty if that was not looked at.
+  auto& known = known_;
   for (const auto& [site, pieces] : pieces_of_) {
     if (pieces.size() == 1) continue;
     const SitePlace& place = place_.at(site);
-    if (place.place == Place::kWithin || (place.place == Place::kMeets && !place.paths))
+    if (place.place == Place::kWithin || (place.place == Place::kMeets && !place.paths)) {
+      known.clear();
       return false;
+    }
     for (const auto p : pieces) known[p] = false;
   }
   if (known.empty()) return true;
@@ -99,6 +106,35 @@ bool VoronoiCell::pieces_are_separate() {
       }
   }
   return std::ranges::all_of(known, [](const auto& p) { return p.second; });
+}
+
+bool VoronoiCell::flow_only_enters(std::uint32_t piece) {
+  for (int f = 0; f < 6; ++f)
+    for (std::uint32_t i = 0; i < face_[f]->region.size(); ++i)
+      if (surface_.piece(surface_.region(f, i)) == piece &&
+          !never_leaves(geometry_, face_[f]->region[i].labels.front(), face_[f]->rect,
+                        f % 2 == 0 ? -1 : 1))
+        return false;
+  return true;
+}
+
+/// Theorem T: where the pieces of all sites but one are separate, the site with two that are not.
+std::optional<SiteId> VoronoiCell::tube() {
+  if (components_ != 1) return std::nullopt;
+  std::optional<std::uint32_t> passing;
+  for (const auto& [piece, known] : known_) {
+    if (known) continue;
+    if (passing) return std::nullopt;
+    passing = piece;
+  }
+  if (!passing) return std::nullopt;
+  for (const auto& [site, pieces] : pieces_of_) {
+    if (std::ranges::find(pieces, *passing) == pieces.end()) continue;
+    if (pieces.size() != 2 || place_.at(site).section || !flow_only_enters(*passing)) break;
+    if (!tube_crossings(surface_.sphere_arcs(face_), pieces[0], pieces[1])) break;
+    return SiteId{site};
+  }
+  return std::nullopt;
 }
 
 CellVerdict VoronoiCell::strict() {
@@ -139,7 +175,7 @@ bool VoronoiCell::at_one_vertex() const {
   return false;
 }
 
-CellAnswer VoronoiCell::test(Criterion criterion, bool resolve) {
+CellAnswer VoronoiCell::test(Criterion criterion, bool resolve, bool tubes) {
   CellAnswer r;
   const auto verdict = [&](CellVerdict v) {
     r.verdict = v;
@@ -162,7 +198,11 @@ CellAnswer VoronoiCell::test(Criterion criterion, bool resolve) {
           return verdict(CellVerdict::kGraph);
         r.curved_cut = true;
       }
-      if (!pieces_are_separate()) return verdict(CellVerdict::kLabel);
+      if (!pieces_are_separate()) {
+        const auto passing = tubes && !resolve ? tube() : std::nullopt;
+        if (!passing) return verdict(CellVerdict::kLabel);
+        r.tube = {*passing};
+      }
       break;
   }
   if (resolve && !at_one_vertex()) {
@@ -178,9 +218,9 @@ CellAnswer VoronoiCell::test(Criterion criterion, bool resolve) {
 
 CellAnswer test_voronoi_cell(Predicates& predicates, const Box3& box,
                              std::span<const SiteId> candidates, const VoronoiSurface::Faces& face,
-                             Criterion criterion, bool resolve) {
+                             Criterion criterion, bool resolve, bool tubes) {
   BLUM_REQUIRE(predicates.geometry().kind() == DiagramKind::kVoronoi);
-  return VoronoiCell(predicates, box, candidates, face).test(criterion, resolve);
+  return VoronoiCell(predicates, box, candidates, face).test(criterion, resolve, tubes);
 }
 
 }  // namespace blum

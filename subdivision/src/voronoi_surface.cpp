@@ -67,28 +67,31 @@ long VoronoiSurface::pieces_euler() {
   return 2 - graph;
 }
 
+std::vector<SphereArc> VoronoiSurface::sphere_arcs(const Faces& face) {
+  std::vector<SphereArc> all;
+  for (int f = 0; f < 6; ++f)
+    for (const FaceArc& a : face[f]->arc)
+      all.push_back({{node(f, a.from), node(f, a.to)},
+                     {piece(region(f, a.region[0])), piece(region(f, a.region[1]))}});
+  UnionFind name;
+  name.resize(nodes());
+  for (std::size_t k = all.size(); k < arc_.size(); ++k) name.unite(arc_[k][0], arc_[k][1]);
+  for (SphereArc& a : all)
+    for (auto& n : a.node) n = name.find(n);
+  return all;
+}
+
 bool VoronoiSurface::border_is_simple(const Faces& face, std::uint32_t piece_id) {
   // Follows no walk: a border is simple iff each of its arcs has the piece on one side only and
   // each of its nodes has two ends of such arcs.
   std::map<std::uint32_t, int> ends;
-  // Names of one node on a box edge.
-  std::map<std::uint32_t, std::uint32_t> name;
-  std::size_t arcs = 0;
-  for (const auto& d : face) arcs += d->arc.size();
-  for (std::size_t k = arcs; k < arc_.size(); ++k) name[arc_[k][1]] = arc_[k][0];
-  const auto named = [&](std::uint32_t n) {
-    const auto it = name.find(n);
-    return it == name.end() ? n : it->second;
-  };
-  for (int f = 0; f < 6; ++f)
-    for (const FaceArc& a : face[f]->arc) {
-      const bool left = piece(region(f, a.region[0])) == piece_id,
-                 right = piece(region(f, a.region[1])) == piece_id;
-      if (left && right) return false;
-      if (!left && !right) continue;
-      ++ends[named(node(f, a.from))];
-      ++ends[named(node(f, a.to))];
-    }
+  for (const SphereArc& a : sphere_arcs(face)) {
+    const bool left = a.piece[0] == piece_id, right = a.piece[1] == piece_id;
+    if (left && right) return false;
+    if (!left && !right) continue;
+    ++ends[a.node[0]];
+    ++ends[a.node[1]];
+  }
   for (const auto& [n, count] : ends)
     if (count != 2) return false;
   return true;

@@ -41,6 +41,8 @@ struct CellAnswer {
   /// Planes that part components of the graph (Theorem E); if accepted, needed for it.
   std::vector<CutPlane> cut;
   int planes_tried = 0;
+  /// Accepted by Theorem T: just two pieces of the surface have a label among these.
+  std::vector<SiteId> tube;
 };
 
 /// What a test asks about the cell beyond its faces.

@@ -44,6 +44,8 @@ struct SubdivisionOptions {
   bool cuts = true;  ///< try planes that miss the axis before a cell is subdivided (Theorem E)
   /// Cells may hold boundary vertices near which the axis falls apart, among other sites.
   bool split_vertices = true;
+  /// Accept cells that one region passes through (Theorem T of docs/proofs.md).
+  bool tubes = true;
   Criterion criterion = Criterion::kRelaxed;  ///< Voronoi only
   double margin = 0.1;  ///< Voronoi: how much larger than the solid's the box is, as a fraction
   VoronoiSide side = VoronoiSide::kBoth;  ///< Voronoi
@@ -103,6 +105,9 @@ struct Leaf {
   /// kBoundary: planes whose sections of the leaf miss the axis, which its acceptance relies on
   /// (Theorem E in docs/proofs.md). None where the graph alone was enough.
   std::vector<CutPlane> cut;
+  /// Accepted by Theorem T: the region that passes through is that of the two pieces of the surface
+  /// which have a label among these.
+  std::vector<SiteId> tube;
   std::vector<SiteId> candidates;        ///< superset of the governors in leaf ∩ O
   std::vector<std::uint32_t> triangles;  ///< superset of the boundary triangles that meet it
   /// Diagrams of its faces (box_face), for kConical, kBoundary and kVoronoi.
@@ -113,6 +118,7 @@ struct SubdivisionStats {
   StageCounts stages;  ///< depends on the number of threads: each remembers what it has decided
   std::size_t cells_tested = 0, faces_computed = 0, planes_moved = 0;
   std::size_t planes_tried = 0, leaves_cut = 0;  ///< see Leaf::cut
+  std::size_t tubes = 0;                         ///< leaves with Leaf::tube
   std::size_t site_pairs = 0;  ///< of a cell and a site looked at when its candidates were pruned
   int max_depth = 0;
   std::array<std::size_t, 11> rejected{};  ///< tested cells by CellVerdict

@@ -12,12 +12,12 @@
 namespace blum {
 
 /// `candidates`: a superset of the sites that govern points of the box. `resolve` also asks that
-/// each component of the graph has the shape of a sheet, a seam or a junction.
-/// Requires: predicates of the Voronoi geometry; all six diagrams decided, from the same segment
-/// diagrams along common edges.
+/// each component of the graph has the shape of a sheet, a seam or a junction. `tubes`: Theorem T
+/// may be used (relaxed criterion only). Requires: predicates of the Voronoi geometry; all six
+/// diagrams decided, from the same segment diagrams along common edges.
 [[nodiscard]] CellAnswer test_voronoi_cell(Predicates& predicates, const Box3& box,
                                            std::span<const SiteId> candidates,
                                            const VoronoiSurface::Faces& face, Criterion criterion,
-                                           bool resolve);
+                                           bool resolve, bool tubes);
 
 }  // namespace blum

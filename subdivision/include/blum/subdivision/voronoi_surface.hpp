@@ -9,6 +9,7 @@
 #include "blum/arrangement/face_diagram.hpp"
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/union_find.hpp"
+#include "blum/subdivision/tube.hpp"
 
 namespace blum {
 
@@ -35,6 +36,8 @@ class VoronoiSurface {
   /// Arcs as pairs of nodes; a node on an edge of the box has a name on either face, which a
   /// further arc joins.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& arcs() const { return arc_; }
+  /// The graph with one name for each node: arcs() but for the further ones.
+  [[nodiscard]] std::vector<SphereArc> sphere_arcs(const Faces& face);
   [[nodiscard]] bool has_graph() const { return !arc_.empty(); }
 
   [[nodiscard]] std::uint32_t count_pieces();
