@@ -12,6 +12,7 @@
 #include "voronoi_intervals.hpp"
 #include "voronoi_joins.hpp"
 #include "voronoi_place.hpp"
+#include "voronoi_traces.hpp"
 
 namespace blum {
 namespace {
@@ -39,6 +40,7 @@ class VoronoiCell {
   [[nodiscard]] bool pieces_are_separate();
   [[nodiscard]] std::optional<SiteId> tube();
   [[nodiscard]] bool flow_only_enters(std::uint32_t piece);
+  [[nodiscard]] bool both_anchored(SiteId site, const std::vector<std::uint32_t>& pieces);
   [[nodiscard]] CellVerdict strict();
   [[nodiscard]] bool at_one_vertex() const;
 
@@ -69,7 +71,7 @@ bool VoronoiCell::pieces_are_separate() {
   for (const auto& [site, pieces] : pieces_of_) {
     if (pieces.size() == 1) continue;
     const SitePlace& place = place_.at(site);
-    if (place.place == Place::kWithin || (place.place == Place::kMeets && !place.paths)) {
+    if (place.place == Place::kWithin || (place.place == Place::kMeets && place.traces == 0)) {
       known.clear();
       return false;
     }
@@ -105,6 +107,11 @@ bool VoronoiCell::pieces_are_separate() {
           it->second = true;
       }
   }
+  // What is near a site with several traces takes part of several pieces.
+  for (const auto& [site, pieces] : pieces_of_)
+    if (const SitePlace& place = place_.at(site);
+        pieces.size() > 1 && place.place == Place::kMeets && !place.simple())
+      for (const auto p : pieces) known[p] = false;
   return std::ranges::all_of(known, [](const auto& p) { return p.second; });
 }
 
@@ -118,23 +125,39 @@ bool VoronoiCell::flow_only_enters(std::uint32_t piece) {
   return true;
 }
 
+/// Are both pieces certainly beside the triangle's part of the cell?
+bool VoronoiCell::both_anchored(SiteId site, const std::vector<std::uint32_t>& pieces) {
+  const SitePlace& place = place_.at(site.value);
+  if (geometry_.index().kind(site) != SiteKind::kFace || place.section) return false;
+  TraceChains trace(geometry_, surface_, face_, site, place);
+  if (!trace.known()) return false;
+  return std::ranges::all_of(pieces, [&](std::uint32_t p) {
+    for (int f = 0; f < 6; ++f)
+      if (trace.on_face(f) && trace.piece(f) == p) return true;
+    return false;
+  });
+}
+
 /// Theorem T: where the pieces of all sites but one are separate, the site with two that are not.
 std::optional<SiteId> VoronoiCell::tube() {
-  if (components_ != 1) return std::nullopt;
-  std::optional<std::uint32_t> passing;
-  for (const auto& [piece, known] : known_) {
-    if (known) continue;
-    if (passing) return std::nullopt;
-    passing = piece;
-  }
-  if (!passing) return std::nullopt;
+  if (components_ != 1 || known_.empty()) return std::nullopt;
+  std::optional<SiteId> passing;
   for (const auto& [site, pieces] : pieces_of_) {
-    if (std::ranges::find(pieces, *passing) == pieces.end()) continue;
-    if (pieces.size() != 2 || place_.at(site).section || !flow_only_enters(*passing)) break;
-    if (!tube_crossings(surface_.sphere_arcs(face_), pieces[0], pieces[1])) break;
-    return SiteId{site};
+    std::vector<std::uint32_t> unknown;
+    for (const auto p : pieces)
+      if (pieces.size() > 1 && !known_.at(p)) unknown.push_back(p);
+    if (unknown.empty()) continue;
+    if (passing || pieces.size() != 2) return std::nullopt;
+    passing = SiteId{site};
+    const SitePlace& place = place_.at(site);
+    const bool joined =
+        place.place == Place::kMeets && !place.simple()
+            ? both_anchored(*passing, pieces)
+            : unknown.size() == 1 && !place.section && flow_only_enters(unknown.front());
+    if (!joined || !tube_crossings(surface_.sphere_arcs(face_), pieces[0], pieces[1]))
+      return std::nullopt;
   }
-  return std::nullopt;
+  return passing;
 }
 
 CellVerdict VoronoiCell::strict() {

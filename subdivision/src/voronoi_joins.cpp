@@ -9,6 +9,7 @@
 #include "blum/subdivision/cell_test.hpp"
 #include "box_edges.hpp"
 #include "voronoi_intervals.hpp"
+#include "voronoi_traces.hpp"
 
 namespace blum {
 namespace {
@@ -17,9 +18,11 @@ namespace {
 /// trace cuts a region into just these. Other regions have one half under two names.
 class FlowJoins {
  public:
-  FlowJoins(const SiteGeometry& geometry, const VoronoiSurface& surface,
-            const VoronoiSurface::Faces& face, const std::function<SitePlace(SiteId)>& place)
-      : geometry_(geometry), surface_(surface), face_(face), place_(place) {
+  /// `chains`: use the regions of triangles with several traces, too.
+  FlowJoins(const SiteGeometry& geometry, VoronoiSurface& surface,
+            const VoronoiSurface::Faces& face, const std::function<SitePlace(SiteId)>& place,
+            bool chains)
+      : geometry_(geometry), surface_(surface), face_(face), place_(place), chains_(chains) {
     closed_.assign(2 * surface.regions(), false);
     joined_.resize(surface.nodes() + 2 * surface.regions());
   }
@@ -30,8 +33,10 @@ class FlowJoins {
     for (const EdgePair& p : edge_pairs()) join_across(p);
     for (const auto& a : surface_.arcs()) joined_.unite(a[0], a[1]);
     const auto first = joined_.find(surface_.arcs().front()[0]);
-    return std::ranges::all_of(surface_.arcs(),
-                               [&](const auto& a) { return joined_.find(a[0]) == first; });
+    if (!std::ranges::all_of(surface_.arcs(),
+                             [&](const auto& a) { return joined_.find(a[0]) == first; }))
+      return false;
+    return std::ranges::all_of(several_, [&](SiteId s) { return parts_traces(s, first); });
   }
 
  private:
@@ -56,7 +61,10 @@ class FlowJoins {
       const auto r = surface_.region(f, i);
       // A site within the cell draws all of its region in: that is contractible anyway.
       const bool all = place.place == Place::kWithin;
-      if (place.place == Place::kMeets && !place.paths) continue;
+      if (place.place == Place::kMeets && !place.simple()) {
+        if (!chains_ || place.traces == 0 || !is_face(site)) continue;
+        if (std::ranges::find(several_, site) == several_.end()) several_.push_back(site);
+      }
       if (!all && is_face(site)) {
         const Ball n = geometry_.unit(site)[d.rect.axis] * Ball(outward);
         for (const int side : kSides) closed_[half(r, side)] = n.sign() == side;
@@ -111,21 +119,75 @@ class FlowJoins {
     }
   }
 
+  /// Does each part of the piece of a triangle off N, which is joined to `first`, hold one
+  /// component of its trace at most?
+  bool parts_traces(SiteId site, std::uint32_t first) {
+    TraceChains trace(geometry_, surface_, face_, site, place_(site));
+    if (!trace.known()) return false;
+    // Halves and, one for each face, segments of the trace.
+    UnionFind part;
+    part.resize(static_cast<std::uint32_t>(closed_.size()) + 6);
+    const auto segment = [&](int f) {
+      return static_cast<std::uint32_t>(closed_.size()) + static_cast<std::uint32_t>(f);
+    };
+    const auto open = [&](std::uint32_t h) {
+      return !closed_[h] || joined_.find(name(h)) != first;
+    };
+    for (int f = 0; f < 6; ++f) {
+      if (!trace.on_face(f)) continue;
+      part.unite(segment(f), segment(static_cast<int>(trace.chain(f))));
+      for (std::uint32_t r = 0; r < face_[f]->region.size(); ++r)
+        if (face_[f]->region[r].labels.front() == site)
+          for (const int side : kSides)
+            if (const auto h = half(surface_.region(f, r), side); open(h))
+              part.unite(h, segment(f));
+    }
+    for (const EdgePair& p : edge_pairs()) {
+      const FaceDiagram& d = *face_[p.face[0]];
+      const auto &a = d.side_region[p.side[0]], &b = face_[p.face[1]]->side_region[p.side[1]];
+      std::vector<const EdgeInterval*> between(a.size(), nullptr);
+      const auto all = intervals(*d.side[p.side[0]]);
+      for (const EdgeInterval& i : all) between[i.index] = &i;
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        if (d.region[a[k]].labels.front() != site) continue;
+        for (const int side : kSides) {
+          // Ends known to lie on the other side: so does what is between.
+          if (between[k] != nullptr &&
+              side_of_plane(geometry_, site, {between[k]->low, between[k]->low}) == -side &&
+              side_of_plane(geometry_, site, {between[k]->high, between[k]->high}) == -side)
+            continue;
+          const auto ha = half(surface_.region(p.face[0], a[k]), side),
+                     hb = half(surface_.region(p.face[1], b[k]), side);
+          if (open(ha) && open(hb)) part.unite(ha, hb);
+        }
+      }
+    }
+    for (int f = 0; f < 6; ++f)
+      for (int g = 0; g < f; ++g)
+        if (trace.on_face(f) && trace.on_face(g) && trace.chain(f) != trace.chain(g) &&
+            part.find(segment(f)) == part.find(segment(g)))
+          return false;
+    return true;
+  }
+
   const SiteGeometry& geometry_;
-  const VoronoiSurface& surface_;
+  VoronoiSurface& surface_;
   const VoronoiSurface::Faces& face_;
   const std::function<SitePlace(SiteId)>& place_;
-  std::vector<bool> closed_;  // halves
-  UnionFind joined_;          // nodes, halves, traces
+  const bool chains_;
+  std::vector<SiteId> several_;  // triangles with several traces whose regions are used
+  std::vector<bool> closed_;     // halves
+  UnionFind joined_;             // nodes, halves, traces
   std::unordered_map<std::uint32_t, std::uint32_t> trace_;
 };
 
 }  // namespace
 
-bool joined_by_flow(const SiteGeometry& geometry, const VoronoiSurface& surface,
+bool joined_by_flow(const SiteGeometry& geometry, VoronoiSurface& surface,
                     const VoronoiSurface::Faces& face,
                     const std::function<SitePlace(SiteId)>& place) {
-  return FlowJoins(geometry, surface, face, place).run();
+  return FlowJoins(geometry, surface, face, place, false).run() ||
+         FlowJoins(geometry, surface, face, place, true).run();
 }
 
 }  // namespace blum

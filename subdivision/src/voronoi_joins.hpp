@@ -11,7 +11,7 @@
 namespace blum {
 
 /// Requires: a graph that is not empty.
-[[nodiscard]] bool joined_by_flow(const SiteGeometry& geometry, const VoronoiSurface& surface,
+[[nodiscard]] bool joined_by_flow(const SiteGeometry& geometry, VoronoiSurface& surface,
                                   const VoronoiSurface::Faces& face,
                                   const std::function<SitePlace(SiteId)>& place);
 

@@ -1,6 +1,7 @@
 #include "voronoi_place.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "blum/subdivision/cell_test.hpp"
@@ -63,16 +64,16 @@ Place by_bounds(const SiteGeometry& geometry, SiteId site, const Box3& box) {
   return Place::kMeets;
 }
 
-/// How often a boundary edge crosses the surface of the box; nullopt: a face's border or a plane of
-/// the box is hit exactly.
-std::optional<int> crossings(Predicates& predicates, std::uint32_t edge, const Box3& box) {
-  int n = 0;
+/// The faces of the box that a boundary edge crosses, as bits; nullopt: a face's border or a plane
+/// of the box is hit exactly.
+std::optional<std::uint8_t> crossings(Predicates& predicates, std::uint32_t edge, const Box3& box) {
+  std::uint8_t faces = 0;
   for (int f = 0; f < 6; ++f) {
     const auto crossed = edge_crosses(predicates, edge, box_face(box, f));
     if (!crossed) return std::nullopt;
-    n += *crossed;
+    if (*crossed) faces |= static_cast<std::uint8_t>(1 << f);
   }
-  return n;
+  return faces;
 }
 
 }  // namespace
@@ -91,24 +92,27 @@ SitePlace place_of(Predicates& predicates, SiteId site, const Box3& box) {
   const auto element = geometry.index().element(site);
   if (geometry.index().kind(site) == SiteKind::kEdge) {
     // The bounds may have missed that it does not meet the box.
-    if (const auto n = crossings(predicates, element, box)) {
-      if (*n == 0) p.place = Place::kApart;
-      p.paths = *n == 1;
+    if (const auto faces = crossings(predicates, element, box)) {
+      if (*faces == 0) p.place = Place::kApart;
+      p.traces = std::popcount(*faces);
+      p.crossed = *faces;
     }
     return p;
   }
   int n = 0;
   for (const auto e : geometry.solid().triangle[element].edge) {
-    const auto of_edge = crossings(predicates, e, box);
-    if (!of_edge) return p;
-    n += *of_edge;
+    const auto faces = crossings(predicates, e, box);
+    if (!faces) return p;
+    n += std::popcount(*faces);
+    p.crossed |= *faces;
   }
   // Two crossings end each component of the trace.
-  p.paths = n == 2;
+  p.traces = n / 2;
   if (n > 0) return p;
   if (const auto section = is_section(predicates, element, box)) {
     if (!*section) p.place = Place::kApart;
-    p.paths = p.section = *section;
+    p.traces = *section ? 1 : 0;
+    p.section = *section;
   }
   return p;
 }

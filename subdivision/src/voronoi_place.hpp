@@ -13,12 +13,17 @@ enum class Place : std::uint8_t { kApart, kMeets, kWithin };
 
 struct SitePlace {
   Place place = Place::kApart;
-  /// kMeets: paths that no flow crosses may run in its piece of the box's surface, off its own
-  /// trace there: the trace has one component at most.
-  bool paths = false;
+  /// kMeets: how many components its trace on the box's surface has; 0: not known.
+  int traces = 0;
   /// kMeets, a triangle: it is the whole section of the box by its plane, so its trace is a closed
-  /// curve, which paths may cross.
+  /// curve.
   bool section = false;
+  /// Bit f: its border, or the edge, crosses face f (box_face).
+  std::uint8_t crossed = 0;
+
+  /// kMeets: is its trace connected? Then paths that no flow crosses may run in its piece of the
+  /// surface, off its own trace there; through it, if that is a closed curve.
+  [[nodiscard]] bool simple() const { return traces == 1; }
 };
 
 [[nodiscard]] SitePlace place_of(Predicates& predicates, SiteId site, const Box3& box);

@@ -1,0 +1,42 @@
+/// Where a triangle meets the surface of a cell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "blum/kernel/union_find.hpp"
+#include "blum/subdivision/voronoi_surface.hpp"
+#include "voronoi_place.hpp"
+
+namespace blum {
+
+/// The components of a triangle's trace: chains of segments, one at most on each face of the box.
+class TraceChains {
+ public:
+  /// Requires: `place`, that of the triangle, is kMeets, the number of its traces is known, and it
+  /// is no section.
+  TraceChains(const SiteGeometry& geometry, VoronoiSurface& surface,
+              const VoronoiSurface::Faces& face, SiteId triangle, const SitePlace& place);
+
+  /// Else nothing below may be relied on.
+  [[nodiscard]] bool known() const { return known_; }
+  [[nodiscard]] bool on_face(int f) const { return on_face_[f]; }
+  /// One of the faces that the chain of a face runs over, the same for all of these.
+  [[nodiscard]] std::uint32_t chain(int f) { return chain_.find(static_cast<std::uint32_t>(f)); }
+  /// The piece of the surface that the chain over a face lies in, if that is certain.
+  [[nodiscard]] std::optional<std::uint32_t> piece(int f);
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu, kSeveral = 0xfffffffeu;
+
+  [[nodiscard]] bool first_of(int f);
+
+  bool known_ = false;
+  std::array<bool, 6> on_face_{};
+  UnionFind chain_;
+  std::array<std::uint32_t, 6> only_{};      // the piece of the triangle's site on a face
+  std::array<std::uint32_t, 6> crossing_{};  // that in which the chain reaches an edge of the box
+};
+
+}  // namespace blum
