@@ -40,7 +40,7 @@ class VoronoiCell {
   [[nodiscard]] bool pieces_are_separate();
   [[nodiscard]] std::optional<SiteId> tube();
   [[nodiscard]] bool flow_only_enters(std::uint32_t piece);
-  [[nodiscard]] bool both_anchored(SiteId site, const std::vector<std::uint32_t>& pieces);
+  [[nodiscard]] bool anchored(SiteId site, const std::vector<std::uint32_t>& pieces);
   [[nodiscard]] CellVerdict strict();
   [[nodiscard]] bool at_one_vertex() const;
 
@@ -125,17 +125,23 @@ bool VoronoiCell::flow_only_enters(std::uint32_t piece) {
   return true;
 }
 
-/// Are both pieces certainly beside the triangle's part of the cell?
-bool VoronoiCell::both_anchored(SiteId site, const std::vector<std::uint32_t>& pieces) {
+/// Is each of the pieces certainly beside the site's part of the cell?
+bool VoronoiCell::anchored(SiteId site, const std::vector<std::uint32_t>& pieces) {
   const SitePlace& place = place_.at(site.value);
-  if (geometry_.index().kind(site) != SiteKind::kFace || place.section) return false;
-  TraceChains trace(geometry_, surface_, face_, site, place);
-  if (!trace.known()) return false;
-  return std::ranges::all_of(pieces, [&](std::uint32_t p) {
+  std::vector<std::uint32_t> found;
+  if (geometry_.index().kind(site) == SiteKind::kFace) {
+    TraceChains trace(geometry_, surface_, face_, site, place);
+    if (!trace.known()) return false;
     for (int f = 0; f < 6; ++f)
-      if (trace.on_face(f) && trace.piece(f) == p) return true;
-    return false;
-  });
+      if (const auto p = trace.on_face(f) ? trace.piece(f) : std::nullopt) found.push_back(*p);
+  } else {
+    // An edge's region has one corner where it crosses a face.
+    for (int f = 0; f < 6; ++f)
+      if ((place.crossed >> f & 1) != 0)
+        if (const auto p = piece_on_face(surface_, face_, site, f)) found.push_back(*p);
+  }
+  return std::ranges::all_of(pieces,
+                             [&](auto p) { return std::ranges::find(found, p) != found.end(); });
 }
 
 /// Theorem T: where the pieces of all sites but one are separate, the site with two that are not.
@@ -152,7 +158,7 @@ std::optional<SiteId> VoronoiCell::tube() {
     const SitePlace& place = place_.at(site);
     const bool joined =
         place.place == Place::kMeets && !place.simple()
-            ? both_anchored(*passing, pieces)
+            ? anchored(*passing, pieces)
             : unknown.size() == 1 && !place.section && flow_only_enters(unknown.front());
     if (!joined || !tube_crossings(surface_.sphere_arcs(face_), pieces[0], pieces[1]))
       return std::nullopt;

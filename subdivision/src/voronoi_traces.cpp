@@ -5,19 +5,25 @@
 
 namespace blum {
 
+std::optional<std::uint32_t> piece_on_face(VoronoiSurface& surface,
+                                           const VoronoiSurface::Faces& face, SiteId site, int f) {
+  std::optional<std::uint32_t> only;
+  for (std::uint32_t r = 0; r < face[f]->region.size(); ++r) {
+    if (face[f]->region[r].labels.front() != site) continue;
+    const auto piece = surface.piece(surface.region(f, r));
+    if (only && *only != piece) return std::nullopt;
+    only = piece;
+  }
+  return only;
+}
+
 TraceChains::TraceChains(const SiteGeometry& geometry, VoronoiSurface& surface,
                          const VoronoiSurface::Faces& face, SiteId triangle,
                          const SitePlace& place) {
   chain_.resize(6);
-  only_.fill(kNone);
-  crossing_.fill(kNone);
   for (int f = 0; f < 6; ++f) {
     on_face_[f] = (place.crossed >> f & 1) != 0;
-    for (std::uint32_t r = 0; r < face[f]->region.size(); ++r) {
-      if (face[f]->region[r].labels.front() != triangle) continue;
-      const auto piece = surface.piece(surface.region(f, r));
-      only_[f] = only_[f] == kNone || only_[f] == piece ? piece : kSeveral;
-    }
+    piece_[f] = piece_on_face(surface, face, triangle, f);
   }
   for (const EdgePair& p : edge_pairs()) {
     const FaceDiagram& d = *face[p.face[0]];
@@ -28,7 +34,7 @@ TraceChains::TraceChains(const SiteGeometry& geometry, VoronoiSurface& surface,
       chain_.unite(static_cast<std::uint32_t>(p.face[0]), static_cast<std::uint32_t>(p.face[1]));
       for (const int f : p.face) {
         on_face_[f] = true;
-        crossing_[f] = surface.piece(surface.region(p.face[0], region));
+        piece_[f] = surface.piece(surface.region(p.face[0], region));
       }
     }
   }
@@ -48,8 +54,7 @@ bool TraceChains::first_of(int f) {
 std::optional<std::uint32_t> TraceChains::piece(int f) {
   for (int g = 0; g < 6; ++g) {
     if (!on_face_[g] || chain(g) != chain(f)) continue;
-    if (crossing_[g] != kNone) return crossing_[g];
-    if (only_[g] != kNone && only_[g] != kSeveral) return only_[g];
+    if (piece_[g]) return piece_[g];
   }
   return std::nullopt;
 }

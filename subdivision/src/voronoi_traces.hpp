@@ -11,6 +11,11 @@
 
 namespace blum {
 
+/// The one piece of the surface that all regions of a site on face f belong to, if there is one.
+[[nodiscard]] std::optional<std::uint32_t> piece_on_face(VoronoiSurface& surface,
+                                                         const VoronoiSurface::Faces& face,
+                                                         SiteId site, int f);
+
 /// The components of a triangle's trace: chains of segments, one at most on each face of the box.
 class TraceChains {
  public:
@@ -28,8 +33,6 @@ class TraceChains {
   [[nodiscard]] std::optional<std::uint32_t> piece(int f);
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu, kSeveral = 0xfffffffeu;
-
   [[nodiscard]] bool first_of(int f);
 
   bool known_ = false;
