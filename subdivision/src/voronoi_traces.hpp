@@ -38,8 +38,7 @@ class TraceChains {
   bool known_ = false;
   std::array<bool, 6> on_face_{};
   UnionFind chain_;
-  std::array<std::uint32_t, 6> only_{};      // the piece of the triangle's site on a face
-  std::array<std::uint32_t, 6> crossing_{};  // that in which the chain reaches an edge of the box
+  std::array<std::optional<std::uint32_t>, 6> piece_{};  // that the segment on a face lies in
 };
 
 }  // namespace blum
