@@ -460,6 +460,8 @@ Command add_voronoi_command(CLI::App& app) {
                                                           {"disks", Criterion::kDisks},
                                                           {"relaxed", Criterion::kRelaxed}}))
       ->default_str("relaxed");
+  voronoi->add_flag("!--no-tubes", options.tubes,
+                    "Subdivide cells that one region passes through: more cells, for comparison");
   voronoi->footer(
       R"(The sites are the triangles, edges and vertices of the boundary that have a region with an
 interior. The diagram is computed inside and outside the solid, in a box around it, or on one side.

@@ -607,7 +607,7 @@ void Assembler::add_tube(std::uint32_t index, std::uint32_t first,
     for (int i = 0; i < 3; ++i) x[i] = std::clamp(x[i], leaf.box.lo[i], leaf.box.hi[i]);
     ring[k] = add_vertex(locator_of(0).anywhere(x, leaf.candidates), ComplexVertex::Kind::kCone);
     cone[k] = static_cast<std::uint32_t>(complex_.cone.size());
-    complex_.cone.push_back({.leaf = index, .apex = ring[k]});
+    complex_.cone.push_back({.leaf = index, .apex = ring[k], .ring = first});
   }
   const auto add_edge = [&](std::uint32_t v, std::size_t k,
                             const std::array<SiteId, 2>& governors) {

@@ -41,6 +41,7 @@ DiagramGraph read_graph(const MedialResult& result) {
   std::vector<std::uint32_t> of_cone(c.cone.size(), kNone);
   for (std::uint32_t k = 0; k < c.cone.size(); ++k) {
     const ConeShape shape = parts.cone_shape[k];
+    if (shape == ConeShape::kRing) of_cone[k] = of_cone[c.cone[k].ring];
     if (shape != ConeShape::kJunction && shape != ConeShape::kCluster &&
         shape != ConeShape::kBoundaryEnd)
       continue;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "io_formats.hpp"
 #include "blum/kernel/vtk_xml.hpp"
+#include "io_formats.hpp"
 
 namespace blum::detail {
 namespace {

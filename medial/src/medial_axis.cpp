@@ -59,6 +59,7 @@ void report_leaves(const Frame& frame, const Subdivision& subdivision, const Ass
   result.leaves = subdivision.leaf.size();
   result.leaves_cut = subdivision.stats.leaves_cut;
   result.planes_tried = subdivision.stats.planes_tried;
+  result.tubes = subdivision.stats.tubes;
   result.site_pairs = subdivision.stats.site_pairs;
   result.max_depth = subdivision.stats.max_depth;
 }
@@ -160,6 +161,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (certificate) {
     used.cuts = false;
     used.split_vertices = false;
+    used.tubes = false;
     engines.prefer_plain_reasons();
   }
   Result<Subdivision> subdivided = subdivide(geometry, used, engines);

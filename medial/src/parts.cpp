@@ -93,14 +93,37 @@ void number_seams(const CellComplex& complex, const std::vector<bool>& is_seam, 
   parts.seams = number.count();
 }
 
-/// Numbers the sheets: triangles that share an edge outside the seams belong together.
+std::vector<bool> first_of_rings(const CellComplex& complex) {
+  std::vector<bool> first(complex.cone.size(), false);
+  for (const ComplexCone& c : complex.cone)
+    if (c.ring != ComplexCone::kNone) first[c.ring] = true;
+  return first;
+}
+
+/// Seams that end in a ring: spokes to its first apex that three sheets or more have in common.
+void find_seams_at_rings(const CellComplex& complex, const std::vector<bool>& ringed,
+                         std::vector<bool>& is_seam) {
+  std::vector<std::uint32_t> sheets(complex.edge.size(), 0);
+  for (const ComplexTriangle& t : complex.triangle)
+    for (const auto e : t.edge) ++sheets[e];
+  for (std::uint32_t e = 0; e < complex.edge.size(); ++e)
+    if (complex.edge[e].kind == ComplexEdge::Kind::kCone && ringed[complex.edge[e].leaf])
+      is_seam[e] = sheets[e] >= 3;
+}
+
+bool is_on_ring(const CellComplex& complex, const ComplexEdge& e) {
+  return e.kind == ComplexEdge::Kind::kCone && complex.cone[e.leaf].ring != ComplexCone::kNone &&
+         complex.vertex[e.vertex[0]].kind == ComplexVertex::Kind::kCone;
+}
+
+/// Numbers the sheets: triangles that share an edge outside seams and rings belong together.
 void number_sheets(const CellComplex& complex, const std::vector<bool>& is_seam, Parts& parts) {
   UnionFind sets;
   sets.resize(static_cast<std::uint32_t>(complex.triangle.size()));
   std::vector<std::uint32_t> first(complex.edge.size(), kNone);
   for (std::uint32_t t = 0; t < complex.triangle.size(); ++t) {
     for (const std::uint32_t e : complex.triangle[t].edge) {
-      if (is_seam[e]) continue;
+      if (is_seam[e] || is_on_ring(complex, complex.edge[e])) continue;
       if (first[e] == kNone) {
         first[e] = t;
       } else {
@@ -125,7 +148,13 @@ Parts read_parts(const CellComplex& complex) {
   std::vector<bool> is_seam(complex.edge.size(), false);
   const TrianglesByCone triangles(complex);
   BaseGraph graph(complex);
+  const std::vector<bool> ringed = first_of_rings(complex);
   for (std::size_t c = 0; c < complex.cone.size(); ++c) {
+    if (ringed[c] || complex.cone[c].ring != ComplexCone::kNone) {
+      parts.cone_shape.push_back(ringed[c] ? ConeShape::kCluster : ConeShape::kRing);
+      parts.clusters += ringed[c] ? 1 : 0;
+      continue;
+    }
     graph.read(triangles.of(c));
     const bool at_boundary = complex.cone[c].boundary_vertex != ComplexCone::kNone;
     parts.cone_shape.push_back(graph.shape(at_boundary));
@@ -139,6 +168,7 @@ Parts read_parts(const CellComplex& complex) {
       }
     }
   }
+  find_seams_at_rings(complex, ringed, is_seam);
   number_seams(complex, is_seam, parts);
   number_sheets(complex, is_seam, parts);
   return parts;

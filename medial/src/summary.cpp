@@ -78,7 +78,8 @@ Json to_json(const VoronoiCheck& check, const MedialResult& result) {
           {"side", side_name(check.side)},
           {"regions_inside", check.regions_inside},
           {"regions_outside", check.regions_outside},
-          {"solid_euler", check.solid_euler}};
+          {"solid_euler", check.solid_euler},
+          {"tubes", result.tubes}};
 }
 
 /// Reasons that occur, in their order, with the number of cells.
@@ -222,6 +223,7 @@ std::string summary_text(const SummaryInput& input) {
           counted(static_cast<std::size_t>(r.max_depth), "bisection");
   if (r.leaves_cut > 0)
     append(text, "; %zu cut by planes, %zu tried", r.leaves_cut, r.planes_tried);
+  if (r.tubes > 0) append(text, "; a region passes through %zu", r.tubes);
   text += '\n';
   if (std::isfinite(r.hausdorff_bound))
     append(text, "accuracy   Hausdorff distance at most %.6g\n", r.hausdorff_bound);

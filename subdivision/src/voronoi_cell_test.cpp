@@ -125,9 +125,10 @@ bool VoronoiCell::flow_only_enters(std::uint32_t piece) {
   return true;
 }
 
-/// Is each of the pieces certainly beside the site's part of the cell?
+/// Does each of two pieces certainly hold one component of the site's trace?
 bool VoronoiCell::anchored(SiteId site, const std::vector<std::uint32_t>& pieces) {
   const SitePlace& place = place_.at(site.value);
+  if (place.traces != 2) return false;
   std::vector<std::uint32_t> found;
   if (geometry_.index().kind(site) == SiteKind::kFace) {
     TraceChains trace(geometry_, surface_, face_, site, place);

@@ -20,7 +20,7 @@ struct ComplexVertex {
     kConvexEdge,  ///< a convex boundary edge crosses a face of the subdivision (radius 0)
     kBoundary,    ///< a boundary vertex where convex edges meet (radius 0)
     kCone,        ///< the apex of a leaf
-    kMesh,        ///< on an edge of the certified complex, or in one of its triangles (finer meshes)
+    kMesh,  ///< on an edge of the certified complex, or in one of its triangles (finer meshes)
   };
   Point3 position;       ///< model units
   double radius = 0;     ///< model units: distance from `position` to ∂O
@@ -50,13 +50,17 @@ struct ComplexTriangle {
   std::array<SiteId, 2> governors{};  ///< those of the base arc
 };
 
-/// One cone: the part of K in a leaf that belongs to one component of its graph.
+/// One cone: the part of K in a leaf that belongs to one component of its graph; with a tube, three
+/// of them.
 struct ComplexCone {
   std::uint32_t leaf = 0;
   std::uint32_t apex = 0;  ///< vertex index
   /// Theorem B: the apex stands for this boundary vertex (never a junction); kNone otherwise.
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t boundary_vertex = kNone;
+  /// Theorem T: the apex is on a ring of three, the first of which is that of this cone; kNone for
+  /// that one. Cones of the ring have edges of others for bases.
+  std::uint32_t ring = kNone;
 };
 
 struct CellComplex {

@@ -80,6 +80,7 @@ struct MedialResult {
   std::size_t leaves = 0;
   /// Of them accepted thanks to planes (Theorem E); planes tried for them and for others.
   std::size_t leaves_cut = 0, planes_tried = 0;
+  std::size_t tubes = 0;       ///< of them accepted by Theorem T; Voronoi
   std::size_t site_pairs = 0;  ///< of a cell and a site that were looked at: what hints save
   int max_depth = 0;
   std::vector<UndecidedCell> undecided;

@@ -15,11 +15,13 @@ enum class ConeShape : std::uint8_t {
   kSeam,         ///< k >= 3 arcs between two nodes: a seam passes
   kJunction,     ///< the complete graph on four nodes
   kBoundaryEnd,  ///< Theorem B cone with nodes of degree >= 3: seams end in a boundary vertex
-  kCluster,      ///< anything else
+  kCluster,      ///< anything else; the first cone of a ring
+  kRing,         ///< the other two cones of a ring: parts of the cluster of the first
 };
 
 struct Parts {
-  /// Sheet of each triangle: a component of the 2-cells after removing the seams.
+  /// Sheet of each triangle: a component of the 2-cells after removing the seams and the edges of
+  /// rings, which stand for what is in the cluster.
   std::vector<std::uint32_t> triangle_sheet;
   std::uint32_t sheets = 0;
   /// Seam of each edge; kNoSeam for edges inside sheets and on rims. Seams are maximal curves

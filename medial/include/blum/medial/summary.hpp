@@ -56,7 +56,8 @@ struct SummaryInput {
 /// {"theta_deg","method","betti","sheets","seams", "curves","junctions","area"}, counted anew
 /// (count_shapes); "result" is about the whole axis.
 /// Only in Voronoi mode there is "voronoi": {"regions","pieces_euler","euler","criterion","margin",
-/// "side"} (VoronoiCheck); pieces_euler is null if the sides of the box are not decided, euler if
+/// "side","regions_inside","regions_outside","solid_euler"} (VoronoiCheck) and "tubes", the leaves
+/// accepted by Theorem T; pieces_euler is null if the sides of the box are not decided, euler if
 /// cells are not. Numbers that are not finite become null. Requires solid and result.
 [[nodiscard]] std::string summary_json(const SummaryInput& input);
 
