@@ -103,14 +103,16 @@ bool behind_a_face(const SiteGeometry& geometry, const SolidEdge& edge, const Ba
 
 }  // namespace
 
+BallVector away_from(const SiteGeometry& geometry, std::uint32_t edge, std::uint32_t vertex) {
+  const BallVector& u = geometry.unit(geometry.index().edge(edge));
+  return geometry.solid().edge[edge].vertex[0] == vertex ? u : BallVector{-u[0], -u[1], -u[2]};
+}
+
 bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex, const Range& range) {
   const Solid& solid = geometry.solid();
   const BallVector x = difference(range.center, solid.point[vertex]);
   const auto edges = solid.edges_at(vertex);
-  const auto away = [&](std::uint32_t e) {
-    const BallVector& u = geometry.unit(geometry.index().edge(e));
-    return solid.edge[e].vertex[0] == vertex ? u : BallVector{-u[0], -u[1], -u[2]};
-  };
+  const auto away = [&](std::uint32_t e) { return away_from(geometry, e, vertex); };
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const BallVector u = away(edges[i]);
     if (dot(u, x).low() > spread(u, range)) return true;

@@ -97,6 +97,10 @@ struct PairForm {
 /// the planes are; 0: undecided, or faces of another kind.
 [[nodiscard]] int heights_compared(EngineContext& context, SiteId a, SiteId b, const Range& range);
 
+/// Unit vector along a boundary edge from its end `vertex`.
+[[nodiscard]] BallVector away_from(const SiteGeometry& geometry, std::uint32_t edge,
+                                   std::uint32_t vertex);
+
 /// Does no point of the range have the vertex as foot, by its polar cone? True only if certain.
 [[nodiscard]] bool outside_polar_cone(const SiteGeometry& geometry, std::uint32_t vertex,
                                       const Range& range);

@@ -92,10 +92,30 @@ bool edge_is_between(const SiteGeometry& geometry, const LocalForm& a, const Loc
   return e && solid.edge[*e].kind == (a.side > 0 ? EdgeKind::kConvex : EdgeKind::kReflex);
 }
 
+namespace {
+
+/// Have two edges with a common end no feet from the same point of the range? The product of a
+/// point with either direction from there would not be negative, nor that with their sum: which is
+/// small for edges nearly in line.
+bool feet_exclude_each_other(const SiteGeometry& geometry, const LocalForm& a, const LocalForm& b,
+                             const Range& range) {
+  if (a.kind != SiteKind::kEdge || b.kind != SiteKind::kEdge) return false;
+  const CommonCorners common = common_corners(geometry, a.site, b.site);
+  if (common.count != 1) return false;
+  const auto v = common.vertex[0];
+  const BallVector e = away_from(geometry, geometry.index().element(a.site), v),
+                   f = away_from(geometry, geometry.index().element(b.site), v),
+                   sum = {e[0] + f[0], e[1] + f[1], e[2] + f[2]};
+  return dot(sum, difference(range.center, geometry.solid().point[v])).high() < -spread(sum, range);
+}
+
+}  // namespace
+
 bool may_tie(EngineContext& context, const LocalForm& a, const LocalForm& b, const Range& range) {
   if (context.voronoi()) {
     const Touch& t = context.touch(a.site, b.site);
-    if (t.kind == Touch::Kind::kNever) return false;
+    if (t.kind == Touch::Kind::kNever || feet_exclude_each_other(context.geometry, a, b, range))
+      return false;
     if (t.kind != Touch::Kind::kOrdinary) {
       const Ball h = dot(t.w, difference(range.center, context.geometry.solid().point[t.base]));
       const double s = spread(t.w, range);

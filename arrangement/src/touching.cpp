@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "groups.hpp"
+#include "local_form.hpp"
 
 namespace blum {
 namespace {
@@ -72,10 +73,8 @@ class Toucher {
     return {Kind::kBisector, sum(out_a.w, minus(out_b.w)), out_a.base};
   }
 
-  /// Unit vector from v along an edge that ends there.
   BallVector away(std::uint32_t edge, std::uint32_t v) const {
-    const BallVector& u = geometry_.unit(index_.edge(edge));
-    return solid_.edge[edge].vertex[0] == v ? u : minus(u);
+    return away_from(geometry_, edge, v);
   }
 
   /// The two edges of a triangle that meet in its corner v.
