@@ -35,35 +35,53 @@ double root_bound(const Ball& square) {
   return high >= 0 ? up(std::sqrt(high)) : std::numeric_limits<double>::infinity();
 }
 
-/// A point near the closed site, within kOnSite of it: corners of at most 1 combined in double.
+/// A point near the closed site, within kOnSite of it: corners of at most 1 combined in double. Any
+/// shares between 0 and 1 give a bound; these give a good one.
 Point3 point_near(const Shape& shape, Site s, const Point3& x) {
-  const Corners corner = shape.corners(s);
-  const Point3& o = shape.point[corner.vertex[0]];
-  std::array<Vec<double>, 2> side{};
-  std::array<double, 2> share{}, along{};
-  const Vec<double> d = minus(exactly<double>(x), exactly<double>(o));
-  for (std::uint32_t k = 1; k < corner.count; ++k) {
-    side[k - 1] = minus(exactly<double>(shape.point[corner.vertex[k]]), exactly<double>(o));
-    along[k - 1] = inner(side[k - 1], d);
+  const Corners corners = shape.corners(s);
+  std::array<std::uint32_t, 3> v = corners.vertex;
+  const auto from = [&](std::size_t k, const Point3& p) {
+    return minus(exactly<double>(p), exactly<double>(shape.point[v[k]]));
+  };
+  const auto share = [](const Vec<double>& d, const Vec<double>& along, double most) {
+    const double t = inner(d, along) / inner(along, along);
+    return t > 0 ? std::min(t, most) : 0.0;
+  };
+  Vec<double> base{}, tip{};
+  double up = 0;  // share of the tip
+  if (corners.count == 3) {
+    // Along the longest side and across it: other sides of a needle tell nothing of its width.
+    const auto length = [&](std::size_t k) {
+      const Vec<double> d = from(k, shape.point[v[(k + 1) % 3]]);
+      return inner(d, d);
+    };
+    for (int turn = 0; turn < 2 && length(0) < std::max(length(1), length(2)); ++turn)
+      std::ranges::rotate(v, v.begin() + 1);
+    base = from(0, shape.point[v[1]]);
+    tip = from(0, shape.point[v[2]]);
+    up = share(from(0, x), minus(tip, times(base, share(tip, base, 1))), 1);
+  } else if (corners.count == 2) {
+    base = from(0, shape.point[v[1]]);
   }
-  const double a = inner(side[0], side[0]), b = inner(side[0], side[1]),
-               c = inner(side[1], side[1]);
-  if (corner.count == 2) share[0] = along[0] / a;
-  if (corner.count == 3) {
-    const double det = a * c - b * b;
-    share = {(c * along[0] - b * along[1]) / det, (a * along[1] - b * along[0]) / det};
-  }
-  // Any shares between 0 and 1 give a bound; these give a good one where x projects into the site.
-  for (double& t : share) t = t > 0 ? std::min(t, 1.0) : 0.0;
-  if (const double sum = share[0] + share[1]; sum > 1)
-    for (double& t : share) t /= sum;
+  const double along = share(minus(from(0, x), times(tip, up)), base, 1 - up);
   Point3 p;
-  for (int k = 0; k < 3; ++k) p[k] = o[k] + share[0] * side[0][k] + share[1] * side[1][k];
+  for (int k = 0; k < 3; ++k) p[k] = shape.point[v[0]][k] + along * base[k] + up * tip[k];
   return p;
 }
 constexpr double kOnSite = 0x1p-46;
 
 }  // namespace
+
+std::optional<std::array<Box3, 2>> halved(const Box3& box) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  const double m = 0.5 * box.lo[axis] + 0.5 * box.hi[axis];
+  if (!(m > box.lo[axis] && m < box.hi[axis])) return std::nullopt;
+  std::array<Box3, 2> half{box, box};
+  half[0].hi[axis] = half[1].lo[axis] = m;
+  return half;
+}
 
 struct Exclusion::View {
   Point3 center;
@@ -110,12 +128,14 @@ Quadratic Exclusion::quadratic(Site s, const Point3& center) const {
   return q;
 }
 
-bool Exclusion::farther(Site a, Site b, const Box3& box) const {
+bool Exclusion::farther(Site a, Site b, const Box3& box, bool inside_b) const {
   const Shape& shape = sites_.shape();
   if (shape.kind(a) == Kind::kFace && shape.kind(b) == Kind::kFace)
-    // Inside both planes distances are minus the heights.
-    return std::ranges::all_of(
-        BoxCorners(box), [&](const Point3& x) { return sites_.compare_heights(x, b, a) > 0; });
+    // Inside a plane the distance is minus the height.
+    return std::ranges::all_of(BoxCorners(box), [&](const Point3& x) {
+      return sites_.compare_heights(x, b, a) > 0 &&
+             (inside_b || sites_.compare_with_mirrored(x, a, b) < 0);
+    });
   const Point3 c = center_of(box);
   const auto h = half_widths(box, c);
   const Quadratic p = quadratic(a, c), q = quadratic(b, c);
@@ -128,14 +148,14 @@ bool Exclusion::farther(Site a, Site b, const Box3& box) const {
 }
 
 bool Exclusion::never_tie(Site a, Site b, const Box3& box) const {
-  return farther(a, b, box) || farther(b, a, box);
+  return farther(a, b, box, true) || farther(b, a, box, true);
 }
 
 bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
   const Shape& shape = sites_.shape();
   if (std::ranges::any_of(std::array{a, b, c},
                           [&](Site s) { return shape.kind(s) != Kind::kFace; }) ||
-      (!sites_.covers(b, box) && !sites_.covers_with_neighbour(b, box)))
+      (!sites_.covers_inside(b, box) && !sites_.covers_with_neighbour(b, box)))
     return false;
   // There d = t d_a + (1 - t) d_c for every number t, and inside all planes distances are minus the
   // heights: affine. The best t leaves the least slope over the box.
@@ -187,20 +207,14 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
   // Distances change by at most the radius.
   const double limit = up(view.nearest + 2 * view.radius);
   if (quadratic(s, view.center).value.low() > up(limit * limit)) return true;
-  return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box); });
+  return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box, false); });
 }
 
 bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, int& looks) const {
   if (--looks < 0) return false;
   if (gone(s, box, view(box, against))) return true;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
-  const double m = 0.5 * box.lo[axis] + 0.5 * box.hi[axis];
-  if (!(m > box.lo[axis] && m < box.hi[axis])) return false;
-  Box3 low = box, high = box;
-  low.hi[axis] = high.lo[axis] = m;
-  return halves(s, low, against, looks) && halves(s, high, against, looks);
+  const auto half = halved(box);
+  return half && halves(s, (*half)[0], against, looks) && halves(s, (*half)[1], against, looks);
 }
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,

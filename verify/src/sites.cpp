@@ -127,20 +127,20 @@ bool Sites::beyond_two(Site s, const Box3& box) const {
   return false;
 }
 
-bool Sites::covers(Site s, const Box3& box) const {
+bool Sites::hold(std::span<const Condition> conditions, const Box3& box) const {
   const BoxCorners corners(box);
-  auto own = conditions(s);
-  if (shape_.kind(s) != Kind::kFace) own = own.first(own_conditions(s));
-  return std::ranges::all_of(own, [&](const Condition& c) {
+  return std::ranges::all_of(conditions, [&](const Condition& c) {
     return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
   });
 }
 
+bool Sites::covers(Site s, const Box3& box) const {
+  return hold(conditions(s).first(own_conditions(s)), box);
+}
+
+bool Sites::covers_inside(Site face, const Box3& box) const { return hold(conditions(face), box); }
+
 bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
-  const BoxCorners corners(box);
-  const auto holds = [&](const Condition& c) {
-    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
-  };
   const auto t = shape_.element(face);
   const auto at = [](const Condition& c, const auto& edge) {
     return c.type == Condition::Type::kPrism &&
@@ -151,7 +151,7 @@ bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
     const auto other = edge.triangle[edge.triangle[0] == t ? 1 : 0];
     const auto but_there = [&](Site s) {
       return std::ranges::all_of(
-          conditions(s), [&](const Condition& c) { return at(c, edge.vertex) || holds(c); });
+          conditions(s), [&](const Condition& c) { return at(c, edge.vertex) || hold({&c, 1}, box); });
     };
     return edge.bend == Bend::kFlat && but_there(face) && but_there(shape_.face_site(other));
   });
@@ -187,6 +187,14 @@ int Sites::compare(const Point3& x, Site a, Site b) const {
 }
 
 int Sites::compare_heights(const Point3& x, Site a, Site b) const {
+  return compare_heights(x, a, b, 1);
+}
+
+int Sites::compare_with_mirrored(const Point3& x, Site a, Site b) const {
+  return compare_heights(x, a, b, -1);
+}
+
+int Sites::compare_heights(const Point3& x, Site a, Site b, double sign_of_b) const {
   return decide([&]<class N>(const N&) {
     const auto height = [&](Site s, N& squared_length) {
       const Vec<N> n = shape_.normal<N>(shape_.element(s));
@@ -194,7 +202,7 @@ int Sites::compare_heights(const Point3& x, Site a, Site b) const {
       return inner(n, minus(exactly<N>(x), exactly<N>(shape_.point[*shape_.corners(s).begin()])));
     };
     N s(0.0), t(0.0);
-    const N p = height(a, s), q = height(b, t);
+    const N p = height(a, s), q = N(height(b, t) * N(sign_of_b));
     return compare_over_roots(p, s, q, t);
   });
 }

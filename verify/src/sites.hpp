@@ -50,9 +50,10 @@ class Sites {
   [[nodiscard]] bool beyond(Site s, const Box3& box) const;
   /// Is one of two conditions violated at every point of the box, though neither on the whole?
   [[nodiscard]] bool beyond_two(Site s, const Box3& box) const;
-  /// Does every point of the box project into the closed site; and, for a face, lie on its inner
-  /// side?
+  /// Does every point of the box project into the closed site?
   [[nodiscard]] bool covers(Site s, const Box3& box) const;
+  /// And lie on the inner side of this face?
+  [[nodiscard]] bool covers_inside(Site face, const Box3& box) const;
 
   /// The same for a face and, if it leaves the face across a flat edge, the neighbour there.
   [[nodiscard]] bool covers_with_neighbour(Site face, const Box3& box) const;
@@ -61,6 +62,8 @@ class Sites {
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;
   /// Sign of the signed height of x over face a minus that over face b.
   [[nodiscard]] int compare_heights(const Point3& x, Site a, Site b) const;
+  /// And of the one plus the other.
+  [[nodiscard]] int compare_with_mirrored(const Point3& x, Site a, Site b) const;
   /// Sign of grad(d_a - d_b).w at a tie x of the two carriers; for two faces with x inside both
   /// planes, that of the distances themselves, which is constant.
   [[nodiscard]] int slope(const Point3& x, Site a, Site b, const Vec<Rational>& w) const;
@@ -90,6 +93,8 @@ class Sites {
   [[nodiscard]] bool behind(Site site, Site other) const;
 
   [[nodiscard]] std::vector<Condition> make_conditions(Site s) const;
+  [[nodiscard]] bool hold(std::span<const Condition> conditions, const Box3& box) const;
+  [[nodiscard]] int compare_heights(const Point3& x, Site a, Site b, double sign_of_b) const;
 
   const Shape& shape_;
   std::vector<std::vector<Condition>> condition_;
