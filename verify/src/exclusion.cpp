@@ -11,19 +11,6 @@ constexpr std::size_t kReferences = 8;
 
 double up(double x) { return x * (1 + 0x1p-48) + 0x1p-1000; }
 
-Point3 center_of(const Box3& box) {
-  Point3 c;
-  for (int k = 0; k < 3; ++k)
-    c[k] = box.lo[k] == box.hi[k] ? box.lo[k] : 0.5 * box.lo[k] + 0.5 * box.hi[k];
-  return c;
-}
-
-std::array<double, 3> half_widths(const Box3& box, const Point3& c) {
-  std::array<double, 3> h{};
-  for (int k = 0; k < 3; ++k) h[k] = up(std::max(box.hi[k] - c[k], c[k] - box.lo[k]));
-  return h;
-}
-
 BallVector over_length(const BallVector& x) {
   const Ball length = root(dot(x, x));
   return {divide(x[0], length), divide(x[1], length), divide(x[2], length)};
@@ -96,36 +83,8 @@ Exclusion::Exclusion(const Sites& sites) : sites_(sites) {
   for (std::uint32_t e = 0; e < shape.edge.size(); ++e)
     unit_[shape.edge_site(e)] =
         over_length(shape.along<Ball>(shape.edge[e].vertex[0], shape.edge[e].vertex[1]));
-  for (std::uint32_t t = 0; t < shape.triangle.size(); ++t) {
-    // Normals of slivers lose digits in double: round the exact one first.
-    const Vec<Rational> n = shape.normal<Rational>(t);
-    const BallVector b{enclose(n[0]), enclose(n[1]), enclose(n[2])};
-    unit_[shape.face_site(t)] = over_length(b);
-  }
-}
-
-Quadratic Exclusion::quadratic(Site s, const Point3& center) const {
-  const Shape& shape = sites_.shape();
-  const BallVector d = difference(center, shape.point[*shape.corners(s).begin()]);
-  const BallVector& u = unit_[s];
-  Quadratic q;
-  const Ball one(1.0), two(2.0), zero(0.0);
-  const Kind kind = shape.kind(s);
-  BallVector m = d;  // from the foot to the centre
-  if (kind == Kind::kFace)
-    m = times(u, dot(d, u));
-  else if (kind == Kind::kEdge)
-    m = minus(d, times(u, dot(d, u)));
-  q.value = kind == Kind::kFace ? square(dot(d, u)) : dot(m, m);
-  q.gradient = times(m, two);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const Ball identity = i == j ? one : zero;
-      q.matrix[i][j] = kind == Kind::kVertex ? identity
-                       : kind == Kind::kEdge ? identity - u[i] * u[j]
-                                             : u[i] * u[j];
-    }
-  return q;
+  for (std::uint32_t t = 0; t < shape.triangle.size(); ++t)
+    unit_[shape.face_site(t)] = over_length(shape.normal<Ball>(t));
 }
 
 bool Exclusion::farther(Site a, Site b, const Box3& box, bool inside_b) const {
@@ -136,15 +95,7 @@ bool Exclusion::farther(Site a, Site b, const Box3& box, bool inside_b) const {
       return sites_.compare_heights(x, b, a) > 0 &&
              (inside_b || sites_.compare_with_mirrored(x, a, b) < 0);
     });
-  const Point3 c = center_of(box);
-  const auto h = half_widths(box, c);
-  const Quadratic p = quadratic(a, c), q = quadratic(b, c);
-  double loss = 0;
-  for (int i = 0; i < 3; ++i) {
-    loss += (p.gradient[i] - q.gradient[i]).magnitude() * h[i];
-    for (int j = 0; j < 3; ++j) loss += (p.matrix[i][j] - q.matrix[i][j]).magnitude() * h[i] * h[j];
-  }
-  return (p.value - q.value).low() > up(loss);
+  return sites_.farther(a, b, box);
 }
 
 bool Exclusion::never_tie(Site a, Site b, const Box3& box) const {
@@ -160,7 +111,7 @@ bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
   // There d = t d_a + (1 - t) d_c for every number t, and inside all planes distances are minus the
   // heights: affine. The best t leaves the least slope over the box.
   const Point3 center = center_of(box);
-  const auto h = half_widths(box, center);
+  const auto h = half_widths(box);
   const auto height = [&](Site s) {
     return dot(difference(center, shape.point[*shape.corners(s).begin()]), unit_[s]);
   };
@@ -184,12 +135,12 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   const Shape& shape = sites_.shape();
   View v;
   v.center = center_of(box);
-  const auto h = half_widths(box, v.center);
+  const auto h = half_widths(box);
   v.radius = up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]));
   std::vector<std::pair<double, Site>> covering;
   for (const Site s : against) {
     if (sites_.covers(s, box)) {
-      const double d = root_bound(quadratic(s, v.center).value);
+      const double d = root_bound(sites_.square_of_distance(v.center, s));
       v.nearest = std::min(v.nearest, d);
       covering.emplace_back(d, s);
     }
@@ -206,7 +157,7 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
   if (sites_.beyond(s, box)) return true;
   // Distances change by at most the radius.
   const double limit = up(view.nearest + 2 * view.radius);
-  if (quadratic(s, view.center).value.low() > up(limit * limit)) return true;
+  if (sites_.square_of_distance(view.center, s).low() > up(limit * limit)) return true;
   return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box, false); });
 }
 

@@ -84,11 +84,18 @@ void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet
       if ((c != third.end() && part.exclusion.nearer_at_ties(c->second, a, b, part.box)) ||
           !may_both_govern(part.exclusion, part.box, a, b))
         continue;
-      ties.insert(ordered(g, h));
       const auto forth = along.find({g, h}), back = along.find({h, g});
-      require(forth != along.end() || back != along.end(), "chords: two groups without direction");
-      require(forth != along.end() ? gains(part.exclusion, part.box, feet, a, b, forth->second)
-                                   : gains(part.exclusion, part.box, feet, b, a, back->second),
+      int looks = kMostLooks;
+      if (forth == along.end() && back == along.end()) {
+        require(gains_where_both_govern(part.exclusion, part.box, feet, a, b, {}, looks),
+                "chords: two groups without direction");
+        continue;
+      }
+      ties.insert(ordered(g, h));
+      require(forth != along.end() ? gains_where_both_govern(part.exclusion, part.box, feet, a, b,
+                                                             forth->second, looks)
+                                   : gains_where_both_govern(part.exclusion, part.box, feet, b, a,
+                                                             back->second, looks),
               "chords: a group does not gain along the direction");
     }
   for (const Pair& p : ties)

@@ -138,7 +138,8 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       continue;
     }
     c.sites = read_sites(p.at(1), shape.sites());
-    if (kind == "star" || kind == "feet") {
+    const bool guessed = (kind == "exact" || kind == "slice") && p.size() == 3 && p[2].is_array();
+    if (kind == "star" || kind == "feet" || guessed) {
       c.by_feet = kind == "feet";
       for (const auto& d : p.at(2))
         c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));

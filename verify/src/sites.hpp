@@ -31,6 +31,10 @@ struct BoxCorners {
   [[nodiscard]] const Point3* end() const { return point.data() + count; }
 };
 
+[[nodiscard]] Point3 center_of(const Box3& box);
+/// At least half the box's size about that.
+[[nodiscard]] std::array<double, 3> half_widths(const Box3& box);
+
 class Sites {
  public:
   explicit Sites(const Shape& shape);
@@ -60,6 +64,11 @@ class Sites {
 
   /// Sign of d_a(x) - d_b(x), distances to the carriers.
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;
+  /// Is d_a > d_b on the whole box, distances to the carriers? By their difference at the centre and
+  /// how much it can change.
+  [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
+  /// Bounds of the squared distance from x to the carrier.
+  [[nodiscard]] Ball square_of_distance(const Point3& x, Site s) const;
   /// Sign of the signed height of x over face a minus that over face b.
   [[nodiscard]] int compare_heights(const Point3& x, Site a, Site b) const;
   /// And of the one plus the other.
@@ -90,6 +99,9 @@ class Sites {
   };
   template <class N>
   [[nodiscard]] Fraction<N> squared_distance(const Vec<N>& x, Site s) const;
+  /// Its numerator's quadratic part.
+  template <class N>
+  [[nodiscard]] std::array<Vec<N>, 3> second_order(Site s) const;
   [[nodiscard]] bool behind(Site site, Site other) const;
 
   [[nodiscard]] std::vector<Condition> make_conditions(Site s) const;
