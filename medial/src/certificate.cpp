@@ -171,7 +171,7 @@ long Writer::euler(const CellComplex& complex) {
 /// Null where the engine does not decide it as it did before.
 std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   std::vector<PartRecord> records;
-  const FaceDiagram again = engines_.production().face(
+  FaceDiagram again = engines_.production().face(
       FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
   if (again.status != FaceStatus::kDecided) {
     complete_ = false;
@@ -187,7 +187,7 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   }
   ++diagrams_;
   Json j =
-      part_claims(geometry_, engines_.production().predicates(), edge_number_, face.rect, records);
+      part_claims(geometry_, engines_.production().predicates(), edge_number_, records, again);
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "blum/kernel/closest_point.hpp"
@@ -67,17 +68,54 @@ PlaneDirection middle_of(std::span<const Plane> vectors) {
   return {std::cos(turn), std::sin(turn), {}};
 }
 
-/// For each group by ties one along which it gains on all others, by the gradients.
+/// May the two share a foot, as far as their corners and the other sites tell?
+bool touch(const SiteGeometry& geometry, std::span<const SiteId> sites, SiteId a, SiteId b) {
+  const auto listed = [&](SiteId s) { return std::ranges::find(sites, s) != sites.end(); };
+  const Solid& solid = geometry.solid();
+  int na = 0, nb = 0;
+  const auto ca = geometry.corners(a, na), cb = geometry.corners(b, nb);
+  const auto of_both = [&](std::uint32_t v) {
+    return std::find(ca.begin(), ca.begin() + na, v) != ca.begin() + na &&
+           std::find(cb.begin(), cb.begin() + nb, v) != cb.begin() + nb;
+  };
+  for (int k = 0; k < na; ++k) {
+    if (!of_both(ca[k])) continue;
+    if (listed(geometry.index().vertex(ca[k]))) return true;
+    for (const auto e : solid.edges_at(ca[k]))
+      if (of_both(solid.edge[e].vertex[0]) && of_both(solid.edge[e].vertex[1]) &&
+          (solid.edge[e].kind == EdgeKind::kFlat || listed(geometry.index().edge(e))))
+        return true;
+  }
+  return false;
+}
+
+/// By ties, unless two of a group tie essentially: then by feet.
+UnionFind groups_of(const SiteGeometry& geometry, Predicates& predicates,
+                    std::span<const SiteId> sites) {
+  const auto n = static_cast<std::uint32_t>(sites.size());
+  const auto components = [&](auto&& related) {
+    UnionFind group;
+    group.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < i; ++j)
+        if (related(sites[i], sites[j])) group.unite(i, j);
+    return group;
+  };
+  const auto never = [&](SiteId a, SiteId b) { return predicates.never_essential(a, b); };
+  UnionFind ties = components(never);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (ties.find(i) == ties.find(j) && !never(sites[i], sites[j]))
+        return components([&](SiteId a, SiteId b) { return touch(geometry, sites, a, b); });
+  return ties;
+}
+
+/// For each group one along which it gains on all others, by the gradients.
 Directions propose_directions(const SiteGeometry& geometry, Predicates& predicates,
                               const Rect& part, std::span<const SiteId> sites) {
-  UnionFind group;
-  group.resize(static_cast<std::uint32_t>(sites.size()));
+  UnionFind group = groups_of(geometry, predicates, sites);
   std::vector<std::vector<Plane>> of;
-  for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    of.push_back(gradients(geometry, part, sites[i]));
-    for (std::uint32_t j = 0; j < i; ++j)
-      if (predicates.never_essential(sites[i], sites[j])) group.unite(i, j);
-  }
+  for (const SiteId s : sites) of.push_back(gradients(geometry, part, s));
   std::map<std::uint32_t, std::vector<Plane>> gains;  // by group, on each site of the others
   for (std::uint32_t i = 0; i < sites.size(); ++i)
     for (std::uint32_t j = 0; j < sites.size(); ++j)
@@ -92,6 +130,32 @@ Directions propose_directions(const SiteGeometry& geometry, Predicates& predicat
   return directions;
 }
 
+std::array<Rect, 2> cut(const Rect& part, bool along_u, double at) {
+  std::array<Rect, 2> half{part, part};
+  (along_u ? half[0].u1 : half[0].v1) = (along_u ? half[1].u0 : half[1].v0) = at;
+  return half;
+}
+
+/// Between the boxes of some events, where they are farthest apart: along u, and at what number.
+std::optional<std::pair<bool, double>> between(std::vector<const FaceNode*> event) {
+  std::optional<std::pair<bool, double>> best;
+  double widest = 0;
+  for (const bool along_u : {true, false}) {
+    const auto low = [&](const FaceNode* n) { return along_u ? n->u0 : n->v0; };
+    const auto high = [&](const FaceNode* n) { return along_u ? n->u1 : n->v1; };
+    std::ranges::sort(event, {}, low);
+    for (std::size_t k = 1; k < event.size(); ++k) {
+      double end = high(event[0]);
+      for (std::size_t i = 1; i < k; ++i) end = std::max(end, high(event[i]));
+      const double middle = 0.5 * end + 0.5 * low(event[k]);
+      if (!(low(event[k]) - end > widest) || !(middle > end && middle < low(event[k]))) continue;
+      widest = low(event[k]) - end;
+      best = {along_u, middle};
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::size_t site_number(const SiteIndex& index, std::span<const std::uint32_t> edge_number,
@@ -101,8 +165,8 @@ std::size_t site_number(const SiteIndex& index, std::span<const std::uint32_t> e
 }
 
 nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
-                           std::span<const std::uint32_t> edge_number, const Rect& rect,
-                           std::span<const PartRecord> records) {
+                           std::span<const std::uint32_t> edge_number,
+                           std::span<const PartRecord> records, FaceDiagram& face) {
   const auto site = [&](SiteId s) { return site_number(geometry.index(), edge_number, s); };
   const auto sites = [&](std::span<const SiteId> list) {
     Json numbers = Json::array();
@@ -114,8 +178,30 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
     for (const auto& [s, w] : list) all.push_back(directed(Json::array({site(s)}), w));
     return all;
   };
-  std::vector<Rect> open{rect};  // parts still to come
   Json j = Json::array();
+  // What exact algebra decided holds one event in the end, whose box is the part.
+  const auto propose = [&](const auto& self, const Rect& part, const PartRecord& r) -> void {
+    std::vector<FaceNode*> event;
+    for (FaceNode& n : face.node)
+      if ((n.kind == FaceNode::Kind::kEvent || n.kind == FaceNode::Kind::kRim) && n.u0 >= part.u0 &&
+          n.u1 <= part.u1 && n.v0 >= part.v0 && n.v1 <= part.v1)
+        event.push_back(&n);
+    if (event.size() > 1)
+      if (const auto middle = between({event.begin(), event.end()})) {
+        j.push_back({middle->first ? "u" : "v", middle->second});
+        for (const Rect& half : cut(part, middle->first, middle->second)) self(self, half, r);
+        return;
+      }
+    for (FaceNode* n : event) {
+      n->u0 = part.u0;
+      n->u1 = part.u1;
+      n->v0 = part.v0;
+      n->v1 = part.v1;
+    }
+    j.push_back({"exact", sites(r.sites),
+                 directions(propose_directions(geometry, predicates, part, r.sites))});
+  };
+  std::vector<Rect> open{face.rect};  // parts still to come
   for (const PartRecord& r : records) {
     using Kind = PartRecord::Kind;
     const Rect part = open.back();
@@ -125,10 +211,9 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
       case Kind::kCutV: {
         const bool along_u = r.kind == Kind::kCutU;
         j.push_back({along_u ? "u" : "v", r.cut});
-        Rect low = part, high = part;
-        (along_u ? low.u1 : low.v1) = (along_u ? high.u0 : high.v0) = r.cut;
-        open.push_back(high);
-        open.push_back(low);
+        const auto half = cut(part, along_u, r.cut);
+        open.push_back(half[1]);
+        open.push_back(half[0]);
         break;
       }
       case Kind::kOutside:
@@ -141,11 +226,13 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
         break;
       case Kind::kChords:
       case Kind::kFeetChords: {
-        Json between = Json::array(), parted = Json::array();
-        for (const auto& [a, b, w] : r.between) between.push_back(directed({site(a), site(b)}, w));
-        for (const auto& [a, b, c] : r.parted) parted.push_back({site(a), site(b), site(c)});
-        j.push_back(
-            {r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites), between, parted});
+        Json between_groups = Json::array(), parted = Json::array();
+        for (const auto& [a, b, w] : r.between)
+          between_groups.push_back(directed(Json::array({site(a), site(b)}), w));
+        for (const auto& [a, b, c] : r.parted)
+          parted.push_back(Json::array({site(a), site(b), site(c)}));
+        j.push_back({r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites),
+                     between_groups, parted});
         break;
       }
       case Kind::kCone:
@@ -157,8 +244,7 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
         break;
       case Kind::kExact:
       case Kind::kSlice:
-        j.push_back({r.kind == Kind::kExact ? "exact" : "slice", sites(r.sites),
-                     directions(propose_directions(geometry, predicates, part, r.sites))});
+        propose(propose, part, r);
         break;
     }
   }

@@ -259,8 +259,9 @@ bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet
 void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
                              const std::vector<Circle>& circles, const Claim& claim) const {
   const Sites& sites = part.exclusion.sites();
-  const Groups groups =
+  Groups groups =
       claim.by_feet ? groups_by_feet(sites, part.sites, feet) : groups_by_ties(sites, part.sites);
+  if (claim.proposed && !groups.cliques) groups = groups_by_feet(sites, part.sites, feet);
   require(groups.cliques, "Theorem D': a group with an essential tie");
   std::vector<std::vector<std::uint32_t>> all;
   for (const Circle& circle : circles) {
@@ -379,8 +380,6 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
             {}};
   bool loop = false;
   const std::vector<Circle> border = circles(box, loop);
-  require(claim.type != Claim::Type::kNotShown,
-          "face: a part that only exact algebra or Theorem S decides");
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
   require(std::ranges::includes(candidates_, claim.sites),
@@ -395,7 +394,13 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
-    check_star(part, shared, border, claim);
+    try {
+      check_star(part, shared, border, claim);
+    } catch (const Failure& failure) {
+      if (!claim.proposed) throw;
+      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
+                    failure.what());
+    }
   } else {
     require(border.size() == 1 &&
                 std::ranges::none_of(border[0],

@@ -138,8 +138,8 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       continue;
     }
     c.sites = read_sites(p.at(1), shape.sites());
-    const bool guessed = (kind == "exact" || kind == "slice") && p.size() == 3 && p[2].is_array();
-    if (kind == "star" || kind == "feet" || guessed) {
+    c.proposed = kind == "exact";
+    if (kind == "star" || kind == "feet" || c.proposed) {
       c.by_feet = kind == "feet";
       for (const auto& d : p.at(2))
         c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
@@ -159,8 +159,6 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       c.type = Claim::Type::kRim;
       c.vertex = read_index(p.at(2), shape.point.size());
       c.edge = {read_index(p.at(3), shape.edge.size()), read_index(p.at(4), shape.edge.size())};
-    } else if (kind == "exact" || kind == "slice") {
-      c.type = Claim::Type::kNotShown;
     } else {
       throw Unreadable("unknown kind of part: " + kind);
     }
