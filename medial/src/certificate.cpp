@@ -186,8 +186,7 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
     if (match && !same) order_.emplace(diagrams_, *std::move(match));
   }
   ++diagrams_;
-  Json j =
-      part_claims(geometry_, engines_.production().predicates(), edge_number_, records, again);
+  Json j = part_claims(geometry_, engines_.production().predicates(), edge_number_, records, again);
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};
 }
 

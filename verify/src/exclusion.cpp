@@ -158,7 +158,8 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
   // Distances change by at most the radius.
   const double limit = up(view.nearest + 2 * view.radius);
   if (sites_.square_of_distance(view.center, s).low() > up(limit * limit)) return true;
-  return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box, false); });
+  return std::ranges::any_of(view.reference,
+                             [&](Site r) { return r != s && farther(s, r, box, false); });
 }
 
 bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, int& looks) const {

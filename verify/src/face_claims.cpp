@@ -42,11 +42,11 @@ void check_directions(const Part& part, const Groups& groups, const SharedFeet& 
     for (std::size_t j = 0; j < part.sites.size(); ++j) {
       const auto g = groups.of[i];
       int looks = kMostLooks;
-      require(g == groups.of[j] ||
-                  gains_where_both_govern(part.exclusion, part.box, feet, part.sites[i],
-                                          part.sites[j], w[g], looks),
-              w[g] ? "Theorem D': a group does not gain along its direction"
-                   : "Theorem D': a group without direction");
+      require(
+          g == groups.of[j] || gains_where_both_govern(part.exclusion, part.box, feet,
+                                                       part.sites[i], part.sites[j], w[g], looks),
+          w[g] ? "Theorem D': a group does not gain along its direction"
+               : "Theorem D': a group without direction");
     }
 }
 
@@ -92,11 +92,11 @@ void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet
         continue;
       }
       ties.insert(ordered(g, h));
-      require(forth != along.end() ? gains_where_both_govern(part.exclusion, part.box, feet, a, b,
-                                                             forth->second, looks)
-                                   : gains_where_both_govern(part.exclusion, part.box, feet, b, a,
-                                                             back->second, looks),
-              "chords: a group does not gain along the direction");
+      require(
+          forth != along.end()
+              ? gains_where_both_govern(part.exclusion, part.box, feet, a, b, forth->second, looks)
+              : gains_where_both_govern(part.exclusion, part.box, feet, b, a, back->second, looks),
+          "chords: a group does not gain along the direction");
     }
   for (const Pair& p : ties)
     for (std::uint32_t g = 0; g < groups.count; ++g)

@@ -146,9 +146,8 @@ bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box, const 
 
 bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {
   const Sites& sites = exclusion.sites();
-  return !sites.never_essential(a, b) && !exclusion.never_tie(a, b, box) &&
-         !sites.beyond(a, box) && !sites.beyond(b, box) &&
-         !never_tie_from_vertex(sites.shape(), box, a, b);
+  return !sites.never_essential(a, b) && !exclusion.never_tie(a, b, box) && !sites.beyond(a, box) &&
+         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b);
 }
 
 }  // namespace blum::verify

@@ -138,11 +138,12 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       continue;
     }
     c.sites = read_sites(p.at(1), shape.sites());
-    c.proposed = kind == "exact";
+    c.proposed = kind == "exact" || kind == "slice";  // older certificates propose nothing there
     if (kind == "star" || kind == "feet" || c.proposed) {
       c.by_feet = kind == "feet";
-      for (const auto& d : p.at(2))
-        c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
+      if (!c.proposed || (p.size() > 2 && p[2].is_array()))
+        for (const auto& d : p.at(2))
+          c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
     } else if (kind == "chords" || kind == "feet chords") {
       c.type = Claim::Type::kChords;
       c.by_feet = kind == "feet chords";

@@ -166,8 +166,9 @@ bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
     const auto& edge = shape_.edge[e];
     const auto other = edge.triangle[edge.triangle[0] == t ? 1 : 0];
     const auto but_there = [&](Site s) {
-      return std::ranges::all_of(
-          conditions(s), [&](const Condition& c) { return at(c, edge.vertex) || hold({&c, 1}, box); });
+      return std::ranges::all_of(conditions(s), [&](const Condition& c) {
+        return at(c, edge.vertex) || hold({&c, 1}, box);
+      });
     };
     return edge.bend == Bend::kFlat && but_there(face) && but_there(shape_.face_site(other));
   });

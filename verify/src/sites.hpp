@@ -64,8 +64,8 @@ class Sites {
 
   /// Sign of d_a(x) - d_b(x), distances to the carriers.
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;
-  /// Is d_a > d_b on the whole box, distances to the carriers? By their difference at the centre and
-  /// how much it can change.
+  /// Is d_a > d_b on the whole box, distances to the carriers? By their difference at the centre
+  /// and how much it can change.
   [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
   /// Bounds of the squared distance from x to the carrier.
   [[nodiscard]] Ball square_of_distance(const Point3& x, Site s) const;
