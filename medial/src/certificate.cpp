@@ -11,6 +11,7 @@
 #include "blum/medial/subcomplex.hpp"
 #include "blum/verify/verify.hpp"
 #include "cell_names.hpp"
+#include "certificate_parts.hpp"
 #include "match_arcs.hpp"
 
 namespace blum {
@@ -43,7 +44,6 @@ class Writer {
   bool line(const char* name, Json content);
   void number_edges();
   [[nodiscard]] Json site(SiteId s) const;
-  [[nodiscard]] Json sites(std::span<const SiteId> list) const;
   [[nodiscard]] Json excluded(std::span<const SiteId> from, std::span<const SiteId> kept) const;
   [[nodiscard]] std::optional<Json> diagram(const FaceDiagram& face, const Leaf& leaf);
   [[nodiscard]] Json graph(const FaceDiagram& face) const;
@@ -92,17 +92,7 @@ void Writer::number_edges() {
       if (edge_number_[e] == kNone) edge_number_[e] = next++;
 }
 
-Json Writer::site(SiteId s) const {
-  const SiteIndex& index = geometry_.index();
-  if (index.kind(s) != SiteKind::kEdge) return s.value;
-  return solid_.point.size() + edge_number_[index.element(s)];
-}
-
-Json Writer::sites(std::span<const SiteId> list) const {
-  Json j = Json::array();
-  for (const SiteId s : list) j.push_back(site(s));
-  return j;
-}
+Json Writer::site(SiteId s) const { return site_number(geometry_.index(), edge_number_, s); }
 
 Json Writer::excluded(std::span<const SiteId> from, std::span<const SiteId> kept) const {
   Json j = Json::array();
@@ -178,21 +168,10 @@ long Writer::euler(const CellComplex& complex) {
          static_cast<long>(complex.edge.size());
 }
 
-/// The list with the direction added: two numbers, or two vertices.
-Json directed(Json list, const PlaneDirection& w) {
-  if (w.line) {
-    list.push_back(*w.line);
-  } else {
-    list.push_back(w.u);
-    list.push_back(w.v);
-  }
-  return list;
-}
-
 /// Null where the engine does not decide it as it did before.
 std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
   std::vector<PartRecord> records;
-  const FaceDiagram again = engines_.production().face(
+  FaceDiagram again = engines_.production().face(
       FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
   if (again.status != FaceStatus::kDecided) {
     complete_ = false;
@@ -207,51 +186,7 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
     if (match && !same) order_.emplace(diagrams_, *std::move(match));
   }
   ++diagrams_;
-  Json j = Json::array();
-  for (const PartRecord& r : records) {
-    using Kind = PartRecord::Kind;
-    switch (r.kind) {
-      case Kind::kCutU:
-      case Kind::kCutV:
-        j.push_back({r.kind == Kind::kCutU ? "u" : "v", r.cut});
-        break;
-      case Kind::kOutside:
-        j.push_back(Json::array({"outside"}));
-        break;
-      case Kind::kStar:
-      case Kind::kFeet: {
-        Json directions = Json::array();
-        for (const auto& [s, w] : r.direction)
-          directions.push_back(directed(Json::array({site(s)}), w));
-        j.push_back({r.kind == Kind::kFeet ? "feet" : "star", sites(r.sites), directions});
-        break;
-      }
-      case Kind::kChords:
-      case Kind::kFeetChords: {
-        Json between = Json::array(), parted = Json::array();
-        for (const auto& [a, b, w] : r.between)
-          between.push_back(directed(Json::array({site(a), site(b)}), w));
-        for (const auto& [a, b, c] : r.parted)
-          parted.push_back(Json::array({site(a), site(b), site(c)}));
-        j.push_back(
-            {r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites), between, parted});
-        break;
-      }
-      case Kind::kCone:
-        j.push_back({"cone", sites(r.sites), r.vertex});
-        break;
-      case Kind::kRim:
-        j.push_back(
-            {"rim", sites(r.sites), r.vertex, edge_number_[r.edge[0]], edge_number_[r.edge[1]]});
-        break;
-      case Kind::kExact:
-        j.push_back({"exact", sites(r.sites)});
-        break;
-      case Kind::kSlice:
-        j.push_back({"slice", sites(r.sites), r.vertex});
-        break;
-    }
-  }
+  Json j = part_claims(geometry_, engines_.production().predicates(), edge_number_, records, again);
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};
 }
 

@@ -46,6 +46,21 @@ const std::vector<EdgePair>& edge_pairs() {
   return pairs;
 }
 
+/// Calls f(face, node, face, node) for each tie on an edge of the cell.
+template <class F>
+void for_shared_nodes(const std::array<FaceMap, 6>& face, F&& f) {
+  for (const EdgePair& p : edge_pairs()) {
+    const auto &low = face[p.face[0]].node, &high = face[p.face[1]].node;
+    const auto on = [](const FaceMap::Node& n, std::size_t side) {
+      return n.kind == FaceMap::Node::Kind::kSide && n.side == static_cast<int>(side);
+    };
+    for (std::uint32_t i = 0; i < low.size(); ++i)
+      for (std::uint32_t j = 0; j < high.size(); ++j)
+        if (on(low[i], p.side[0]) && on(high[j], p.side[1]) && low[i].change == high[j].change)
+          f(p.face[0], i, p.face[1], j);
+  }
+}
+
 /// The closed surface of the parts of cell ∩ O, cut along the graph: regions of the faces, then
 /// triangles; nodes of the faces, then vertices of ∂O.
 class Surface {
@@ -147,15 +162,11 @@ void Surface::glue() {
               "cell: two faces disagree about what is inside");
       if (a[k] != FaceMap::kOutside) join(region(p.face[0], a[k]), region(p.face[1], b[k]));
     }
-    for (std::uint32_t i = 0; i < m.node.size(); ++i)
-      for (std::uint32_t j = 0; j < o.node.size(); ++j) {
-        const FaceMap::Node &x = m.node[i], &y = o.node[j];
-        if (x.kind == FaceMap::Node::Kind::kSide && y.kind == FaceMap::Node::Kind::kSide &&
-            x.side == static_cast<int>(p.side[0]) && y.side == static_cast<int>(p.side[1]) &&
-            x.change == y.change)
-          connect(node(p.face[0], i), node(p.face[1], j));  // one point, two names
-      }
   }
+  // One point, two names.
+  for_shared_nodes(face_, [&](std::size_t f, std::uint32_t i, std::size_t g, std::uint32_t j) {
+    connect(node(f, i), node(g, j));
+  });
   for (auto& [e, nodes] : edge_) {
     const Edge& edge = shape_.edge[e];
     require(triangle_.contains(edge.triangle[0]) && triangle_.contains(edge.triangle[1]),
@@ -356,15 +367,9 @@ void check_conical(const Shape& shape, const Box3& box, std::uint32_t vertex,
   };
   for (std::size_t f = 0; f < 6; ++f)
     for (const FaceMap::Arc& a : face[f].arc) connect(first[f] + a.node[0], first[f] + a.node[1]);
-  for (const EdgePair& p : edge_pairs())
-    for (std::uint32_t i = 0; i < face[p.face[0]].node.size(); ++i)
-      for (std::uint32_t j = 0; j < face[p.face[1]].node.size(); ++j) {
-        const FaceMap::Node &x = face[p.face[0]].node[i], &y = face[p.face[1]].node[j];
-        if (x.kind == FaceMap::Node::Kind::kSide && y.kind == FaceMap::Node::Kind::kSide &&
-            x.side == static_cast<int>(p.side[0]) && y.side == static_cast<int>(p.side[1]) &&
-            x.change == y.change)
-          connect(first[p.face[0]] + i, first[p.face[1]] + j);
-      }
+  for_shared_nodes(face, [&](std::size_t f, std::uint32_t i, std::size_t g, std::uint32_t j) {
+    connect(first[f] + i, first[g] + j);
+  });
 }
 
 }  // namespace blum::verify

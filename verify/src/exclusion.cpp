@@ -11,19 +11,6 @@ constexpr std::size_t kReferences = 8;
 
 double up(double x) { return x * (1 + 0x1p-48) + 0x1p-1000; }
 
-Point3 center_of(const Box3& box) {
-  Point3 c;
-  for (int k = 0; k < 3; ++k)
-    c[k] = box.lo[k] == box.hi[k] ? box.lo[k] : 0.5 * box.lo[k] + 0.5 * box.hi[k];
-  return c;
-}
-
-std::array<double, 3> half_widths(const Box3& box, const Point3& c) {
-  std::array<double, 3> h{};
-  for (int k = 0; k < 3; ++k) h[k] = up(std::max(box.hi[k] - c[k], c[k] - box.lo[k]));
-  return h;
-}
-
 BallVector over_length(const BallVector& x) {
   const Ball length = root(dot(x, x));
   return {divide(x[0], length), divide(x[1], length), divide(x[2], length)};
@@ -35,35 +22,53 @@ double root_bound(const Ball& square) {
   return high >= 0 ? up(std::sqrt(high)) : std::numeric_limits<double>::infinity();
 }
 
-/// A point near the closed site, within kOnSite of it: corners of at most 1 combined in double.
+/// A point near the closed site, within kOnSite of it: corners of at most 1 combined in double. Any
+/// shares between 0 and 1 give a bound; these give a good one.
 Point3 point_near(const Shape& shape, Site s, const Point3& x) {
-  const Corners corner = shape.corners(s);
-  const Point3& o = shape.point[corner.vertex[0]];
-  std::array<Vec<double>, 2> side{};
-  std::array<double, 2> share{}, along{};
-  const Vec<double> d = minus(exactly<double>(x), exactly<double>(o));
-  for (std::uint32_t k = 1; k < corner.count; ++k) {
-    side[k - 1] = minus(exactly<double>(shape.point[corner.vertex[k]]), exactly<double>(o));
-    along[k - 1] = inner(side[k - 1], d);
+  const Corners corners = shape.corners(s);
+  std::array<std::uint32_t, 3> v = corners.vertex;
+  const auto from = [&](std::size_t k, const Point3& p) {
+    return minus(exactly<double>(p), exactly<double>(shape.point[v[k]]));
+  };
+  const auto share = [](const Vec<double>& d, const Vec<double>& along, double most) {
+    const double t = inner(d, along) / inner(along, along);
+    return t > 0 ? std::min(t, most) : 0.0;
+  };
+  Vec<double> base{}, tip{};
+  double up = 0;  // share of the tip
+  if (corners.count == 3) {
+    // Along the longest side and across it: other sides of a needle tell nothing of its width.
+    const auto length = [&](std::size_t k) {
+      const Vec<double> d = from(k, shape.point[v[(k + 1) % 3]]);
+      return inner(d, d);
+    };
+    for (int turn = 0; turn < 2 && length(0) < std::max(length(1), length(2)); ++turn)
+      std::ranges::rotate(v, v.begin() + 1);
+    base = from(0, shape.point[v[1]]);
+    tip = from(0, shape.point[v[2]]);
+    up = share(from(0, x), minus(tip, times(base, share(tip, base, 1))), 1);
+  } else if (corners.count == 2) {
+    base = from(0, shape.point[v[1]]);
   }
-  const double a = inner(side[0], side[0]), b = inner(side[0], side[1]),
-               c = inner(side[1], side[1]);
-  if (corner.count == 2) share[0] = along[0] / a;
-  if (corner.count == 3) {
-    const double det = a * c - b * b;
-    share = {(c * along[0] - b * along[1]) / det, (a * along[1] - b * along[0]) / det};
-  }
-  // Any shares between 0 and 1 give a bound; these give a good one where x projects into the site.
-  for (double& t : share) t = t > 0 ? std::min(t, 1.0) : 0.0;
-  if (const double sum = share[0] + share[1]; sum > 1)
-    for (double& t : share) t /= sum;
+  const double along = share(minus(from(0, x), times(tip, up)), base, 1 - up);
   Point3 p;
-  for (int k = 0; k < 3; ++k) p[k] = o[k] + share[0] * side[0][k] + share[1] * side[1][k];
+  for (int k = 0; k < 3; ++k) p[k] = shape.point[v[0]][k] + along * base[k] + up * tip[k];
   return p;
 }
 constexpr double kOnSite = 0x1p-46;
 
 }  // namespace
+
+std::optional<std::array<Box3, 2>> halved(const Box3& box) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  const double m = 0.5 * box.lo[axis] + 0.5 * box.hi[axis];
+  if (!(m > box.lo[axis] && m < box.hi[axis])) return std::nullopt;
+  std::array<Box3, 2> half{box, box};
+  half[0].hi[axis] = half[1].lo[axis] = m;
+  return half;
+}
 
 struct Exclusion::View {
   Point3 center;
@@ -78,69 +83,35 @@ Exclusion::Exclusion(const Sites& sites) : sites_(sites) {
   for (std::uint32_t e = 0; e < shape.edge.size(); ++e)
     unit_[shape.edge_site(e)] =
         over_length(shape.along<Ball>(shape.edge[e].vertex[0], shape.edge[e].vertex[1]));
-  for (std::uint32_t t = 0; t < shape.triangle.size(); ++t) {
-    // Normals of slivers lose digits in double: round the exact one first.
-    const Vec<Rational> n = shape.normal<Rational>(t);
-    const BallVector b{enclose(n[0]), enclose(n[1]), enclose(n[2])};
-    unit_[shape.face_site(t)] = over_length(b);
-  }
+  for (std::uint32_t t = 0; t < shape.triangle.size(); ++t)
+    unit_[shape.face_site(t)] = over_length(shape.normal<Ball>(t));
 }
 
-Quadratic Exclusion::quadratic(Site s, const Point3& center) const {
-  const Shape& shape = sites_.shape();
-  const BallVector d = difference(center, shape.point[*shape.corners(s).begin()]);
-  const BallVector& u = unit_[s];
-  Quadratic q;
-  const Ball one(1.0), two(2.0), zero(0.0);
-  const Kind kind = shape.kind(s);
-  BallVector m = d;  // from the foot to the centre
-  if (kind == Kind::kFace)
-    m = times(u, dot(d, u));
-  else if (kind == Kind::kEdge)
-    m = minus(d, times(u, dot(d, u)));
-  q.value = kind == Kind::kFace ? square(dot(d, u)) : dot(m, m);
-  q.gradient = times(m, two);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const Ball identity = i == j ? one : zero;
-      q.matrix[i][j] = kind == Kind::kVertex ? identity
-                       : kind == Kind::kEdge ? identity - u[i] * u[j]
-                                             : u[i] * u[j];
-    }
-  return q;
-}
-
-bool Exclusion::farther(Site a, Site b, const Box3& box) const {
+bool Exclusion::farther(Site a, Site b, const Box3& box, bool inside_b) const {
   const Shape& shape = sites_.shape();
   if (shape.kind(a) == Kind::kFace && shape.kind(b) == Kind::kFace)
-    // Inside both planes distances are minus the heights.
-    return std::ranges::all_of(
-        BoxCorners(box), [&](const Point3& x) { return sites_.compare_heights(x, b, a) > 0; });
-  const Point3 c = center_of(box);
-  const auto h = half_widths(box, c);
-  const Quadratic p = quadratic(a, c), q = quadratic(b, c);
-  double loss = 0;
-  for (int i = 0; i < 3; ++i) {
-    loss += (p.gradient[i] - q.gradient[i]).magnitude() * h[i];
-    for (int j = 0; j < 3; ++j) loss += (p.matrix[i][j] - q.matrix[i][j]).magnitude() * h[i] * h[j];
-  }
-  return (p.value - q.value).low() > up(loss);
+    // Inside a plane the distance is minus the height.
+    return std::ranges::all_of(BoxCorners(box), [&](const Point3& x) {
+      return sites_.compare_heights(x, b, a) > 0 &&
+             (inside_b || sites_.compare_with_mirrored(x, a, b) < 0);
+    });
+  return sites_.farther(a, b, box);
 }
 
 bool Exclusion::never_tie(Site a, Site b, const Box3& box) const {
-  return farther(a, b, box) || farther(b, a, box);
+  return farther(a, b, box, true) || farther(b, a, box, true);
 }
 
 bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
   const Shape& shape = sites_.shape();
   if (std::ranges::any_of(std::array{a, b, c},
                           [&](Site s) { return shape.kind(s) != Kind::kFace; }) ||
-      (!sites_.covers(b, box) && !sites_.covers_with_neighbour(b, box)))
+      (!sites_.covers_inside(b, box) && !sites_.covers_with_neighbour(b, box)))
     return false;
   // There d = t d_a + (1 - t) d_c for every number t, and inside all planes distances are minus the
   // heights: affine. The best t leaves the least slope over the box.
   const Point3 center = center_of(box);
-  const auto h = half_widths(box, center);
+  const auto h = half_widths(box);
   const auto height = [&](Site s) {
     return dot(difference(center, shape.point[*shape.corners(s).begin()]), unit_[s]);
   };
@@ -164,12 +135,12 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   const Shape& shape = sites_.shape();
   View v;
   v.center = center_of(box);
-  const auto h = half_widths(box, v.center);
+  const auto h = half_widths(box);
   v.radius = up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]));
   std::vector<std::pair<double, Site>> covering;
   for (const Site s : against) {
     if (sites_.covers(s, box)) {
-      const double d = root_bound(quadratic(s, v.center).value);
+      const double d = root_bound(sites_.square_of_distance(v.center, s));
       v.nearest = std::min(v.nearest, d);
       covering.emplace_back(d, s);
     }
@@ -186,21 +157,16 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
   if (sites_.beyond(s, box)) return true;
   // Distances change by at most the radius.
   const double limit = up(view.nearest + 2 * view.radius);
-  if (quadratic(s, view.center).value.low() > up(limit * limit)) return true;
-  return std::ranges::any_of(view.reference, [&](Site r) { return r != s && farther(s, r, box); });
+  if (sites_.square_of_distance(view.center, s).low() > up(limit * limit)) return true;
+  return std::ranges::any_of(view.reference,
+                             [&](Site r) { return r != s && farther(s, r, box, false); });
 }
 
 bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, int& looks) const {
   if (--looks < 0) return false;
   if (gone(s, box, view(box, against))) return true;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
-  const double m = 0.5 * box.lo[axis] + 0.5 * box.hi[axis];
-  if (!(m > box.lo[axis] && m < box.hi[axis])) return false;
-  Box3 low = box, high = box;
-  low.hi[axis] = high.lo[axis] = m;
-  return halves(s, low, against, looks) && halves(s, high, against, looks);
+  const auto half = halved(box);
+  return half && halves(s, (*half)[0], against, looks) && halves(s, (*half)[1], against, looks);
 }
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,

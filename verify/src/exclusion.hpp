@@ -6,12 +6,8 @@
 
 namespace blum::verify {
 
-/// Squared distance to a carrier about a point c: value + gradient.(x - c) + (x - c).A (x - c).
-struct Quadratic {
-  Ball value;
-  BallVector gradient;
-  std::array<BallVector, 3> matrix;
-};
+/// Across the longest side; nullopt: no number is left between its ends.
+[[nodiscard]] std::optional<std::array<Box3, 2>> halved(const Box3& box);
 
 class Exclusion {
  public:
@@ -38,9 +34,9 @@ class Exclusion {
  private:
   struct View;  // of a box: centre, half widths, bound on the distance at the centre
   [[nodiscard]] View view(const Box3& box, std::span<const Site> against) const;
-  [[nodiscard]] Quadratic quadratic(Site s, const Point3& center) const;
-  /// d_a > d_b (carriers) wherever a governs; the conclusion "a governs nothing" needs covers(b).
-  [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
+  /// d_a > d_b (carriers) wherever a governs, and b too if `inside_b`; that a governs nothing
+  /// follows only if b covers the box, and not from `inside_b`.
+  [[nodiscard]] bool farther(Site a, Site b, const Box3& box, bool inside_b) const;
   [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
   [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
                             int& looks) const;

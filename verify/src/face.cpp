@@ -47,6 +47,25 @@ struct Step {
 };
 using Circle = std::vector<Step>;
 
+/// What lies between two separators of a circle, and the one before it (null: there is none).
+struct Interval {
+  const Step* separator = nullptr;
+  std::vector<const Step*> step;
+};
+
+std::vector<Interval> intervals(const Circle& circle) {
+  const auto first = std::ranges::find_if(circle, &Step::separates);
+  const auto start = static_cast<std::size_t>(first - circle.begin());
+  std::vector<Interval> found;
+  for (std::size_t k = 0; k < circle.size(); ++k) {
+    const Step& s = circle[(start + k) % circle.size()];
+    if (s.separates() || k == 0) found.push_back({s.separates() ? &s : nullptr, {}});
+    if (!s.separates()) found.back().step.push_back(&s);
+  }
+  for (const Interval& i : found) require(!i.step.empty(), "face: two ties beside each other");
+  return found;
+}
+
 class FaceChecker {
  public:
   FaceChecker(const Exclusion& exclusion, std::span<const std::uint32_t> triangles,
@@ -244,14 +263,8 @@ std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
 
 bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet) {
   std::vector<std::uint32_t> groups;
-  const auto first = std::ranges::find_if(circle, &Step::separates);
-  const auto start = static_cast<std::size_t>(first - circle.begin());
-  bool fresh = true;
-  for (std::size_t k = 0; k < circle.size(); ++k) {
-    const Step& s = circle[(start + k) % circle.size()];
-    if (fresh && !s.separates()) groups.push_back(feet.find(part.sites, s.label));
-    fresh = s.separates();
-  }
+  for (const Interval& i : intervals(circle))
+    groups.push_back(feet.find(part.sites, i.step.front()->label));
   std::ranges::sort(groups);
   return std::ranges::adjacent_find(groups) == groups.end();
 }
@@ -259,32 +272,23 @@ bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet
 void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
                              const std::vector<Circle>& circles, const Claim& claim) const {
   const Sites& sites = part.exclusion.sites();
-  const Groups groups =
+  Groups groups =
       claim.by_feet ? groups_by_feet(sites, part.sites, feet) : groups_by_ties(sites, part.sites);
+  if (claim.proposed && !groups.cliques) groups = groups_by_feet(sites, part.sites, feet);
   require(groups.cliques, "Theorem D': a group with an essential tie");
   std::vector<std::vector<std::uint32_t>> all;
   for (const Circle& circle : circles) {
     // Ties and convex edges are where the group changes, and each group has one run.
-    const auto first = std::ranges::find_if(circle, &Step::separates);
-    const auto start = static_cast<std::size_t>(first - circle.begin());
     std::vector<std::uint32_t> runs;
-    bool fresh = true;
-    for (std::size_t k = 0; k < circle.size(); ++k) {
-      const Step& s = circle[(start + k) % circle.size()];
-      if (s.separates()) {
-        fresh = true;
-        continue;
+    for (const Interval& i : intervals(circle))
+      for (const Step* s : i.step) {
+        const auto g = groups.find(part.sites, s->label);
+        require(g < groups.count, "Theorem D': the governor of a border was excluded");
+        if (s == i.step.front()) runs.push_back(g);
+        require(runs.back() == g, "Theorem D': a group changes without a tie");
       }
-      const auto g = groups.find(part.sites, s.label);
-      require(g < groups.count, "Theorem D': the governor of a border was excluded");
-      require(fresh || runs.back() == g, "Theorem D': a group changes without a tie");
-      if (fresh) runs.push_back(g);
-      fresh = false;
-    }
-    const auto separators =
-        static_cast<std::size_t>(std::ranges::count_if(circle, &Step::separates));
-    require(separators == 0 ? runs.size() == 1 : runs.size() == separators && runs.size() > 1,
-            "Theorem D': two ties beside each other");
+    require(std::ranges::count_if(circle, &Step::separates) != 1,
+            "Theorem D': a single tie on a border");
     all.push_back(runs);
     if (claim.type == Claim::Type::kChords) continue;
     std::ranges::sort(runs);
@@ -299,29 +303,21 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
 
 /// Labels the regions along a circle, and makes them one piece.
 FaceChecker::Border FaceChecker::label(const Circle& circle, const Part& part, const Groups& feet) {
-  const auto first = std::ranges::find_if(circle, &Step::separates);
-  const auto start = static_cast<std::size_t>(first - circle.begin());
   Border r;
-  bool fresh = true;
-  for (std::size_t k = 0; k < circle.size(); ++k) {
-    const Step& s = circle[(start + k) % circle.size()];
-    if (s.separates()) {
-      r.end.push_back(s.kind == Step::Kind::kTie ? s.id : convex_node(s.id));
-      fresh = true;
-      continue;
+  for (const Interval& i : intervals(circle)) {
+    if (const Step* s = i.separator)
+      r.end.push_back(s->kind == Step::Kind::kTie ? s->id : convex_node(s->id));
+    r.run.push_back(element_of(*i.step.front()));
+    r.label.push_back(i.step.front()->label);
+    for (const Step* s : i.step) {
+      const auto element = element_of(*s);
+      region_.unite(r.run.back(), element);
+      piece_.unite(r.run.front(), element);
     }
-    const auto element = element_of(s);
-    if (fresh) {
-      r.run.push_back(element);
-      r.label.push_back(s.label);
-      // Feet are continuous in a region: all its governors are in one group of shared feet.
-      const auto g = feet.find(part.sites, s.label);
-      for (std::size_t i = 0; i < part.sites.size(); ++i)
-        if (feet.of[i] == g) labels_[element].push_back(part.sites[i]);
-    }
-    fresh = false;
-    region_.unite(r.run.back(), element);
-    piece_.unite(r.run.front(), element);
+    // Feet are continuous in a region: all its governors are in one group of shared feet.
+    const auto g = feet.find(part.sites, r.label.back());
+    for (std::size_t k = 0; k < part.sites.size(); ++k)
+      if (feet.of[k] == g) labels_[r.run.back()].push_back(part.sites[k]);
   }
   for (const auto e : r.end) node_element_[e] = r.run.front();
   return r;
@@ -379,8 +375,6 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
             {}};
   bool loop = false;
   const std::vector<Circle> border = circles(box, loop);
-  require(claim.type != Claim::Type::kNotShown,
-          "face: a part that only exact algebra or Theorem S decides");
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
   require(std::ranges::includes(candidates_, claim.sites),
@@ -395,7 +389,13 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
-    check_star(part, shared, border, claim);
+    try {
+      check_star(part, shared, border, claim);
+    } catch (const Failure& failure) {
+      if (!claim.proposed) throw;
+      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
+                    failure.what());
+    }
   } else {
     require(border.size() == 1 &&
                 std::ranges::none_of(border[0],

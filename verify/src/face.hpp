@@ -15,14 +15,14 @@ struct Direction {
 /// What the certificate says of one part.
 struct Claim {
   enum class Type : std::uint8_t {
-    kStar,      ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
-    kChords,    ///< Theorem D', chords
-    kCone,      ///< Theorem G about `vertex`
-    kRim,       ///< a rim inside the solid, of two edges at `vertex`
-    kNotShown,  ///< exact algebra or Theorem S, which this checker has not
+    kStar,    ///< Theorem D' (groups by ties) or D'' (by feet); nothing where one group is left
+    kChords,  ///< Theorem D', chords
+    kCone,    ///< Theorem G about `vertex`
+    kRim,     ///< a rim inside the solid, of two edges at `vertex`
   };
   Type type = Type::kStar;
   bool by_feet = false;
+  bool proposed = false;    ///< kStar, by ties or feet: exact algebra decided it, which is not here
   std::vector<Site> sites;  ///< sorted; the others of the face govern nothing in the part
   std::vector<std::pair<Site, Direction>> direction;  ///< of the group that holds the site
   /// Chords: the group of `a` gains on that of `b` along the direction.

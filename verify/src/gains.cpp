@@ -133,9 +133,21 @@ bool gains(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet, 
          (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w));
 }
 
+bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet,
+                             Site a, Site b, const std::optional<Vec<Rational>>& w, int& looks) {
+  if (--looks < 0) return false;
+  if (!may_both_govern(exclusion, box, a, b) || (w && gains(exclusion, box, feet, a, b, *w)))
+    return true;
+  const auto half = halved(box);
+  return half && std::ranges::all_of(*half, [&](const Box3& part) {
+           return gains_where_both_govern(exclusion, part, feet, a, b, w, looks);
+         });
+}
+
 bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {
-  return !exclusion.sites().never_essential(a, b) && !exclusion.never_tie(a, b, box) &&
-         !never_tie_from_vertex(exclusion.sites().shape(), box, a, b);
+  const Sites& sites = exclusion.sites();
+  return !sites.never_essential(a, b) && !exclusion.never_tie(a, b, box) && !sites.beyond(a, box) &&
+         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b);
 }
 
 }  // namespace blum::verify

@@ -15,6 +15,12 @@ namespace blum::verify {
 /// never tie essentially govern no point together (Lemma 1).
 [[nodiscard]] bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b);
 
+/// Does a gain on b along w, or may they not both govern, on the box or on all of its halves and
+/// their halves? `w` missing: may they not both govern? Looks at `looks` boxes at most.
+[[nodiscard]] bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box,
+                                           const SharedFeet& feet, Site a, Site b,
+                                           const std::optional<Vec<Rational>>& w, int& looks);
+
 /// "Two edges at a vertex": reasons of the former, and against the latter. False for other sites.
 [[nodiscard]] bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& feet,
                                      Site a, Site b, const Vec<Rational>& w);

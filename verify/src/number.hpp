@@ -56,6 +56,10 @@ template <class N>
   return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
 }
 
+/// At least |x|.
+[[nodiscard]] inline Ball magnitude(const Ball& x) { return Ball(x.magnitude()); }
+[[nodiscard]] inline Rational magnitude(const Rational& x) { return abs(x); }
+
 /// Sign of p / sqrt(s) - q / sqrt(t). Requires s, t > 0.
 template <class N>
 [[nodiscard]] int compare_over_roots(const N& p, const N& s, const N& q, const N& t) {

@@ -138,10 +138,12 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       continue;
     }
     c.sites = read_sites(p.at(1), shape.sites());
-    if (kind == "star" || kind == "feet") {
+    c.proposed = kind == "exact" || kind == "slice";  // older certificates propose nothing there
+    if (kind == "star" || kind == "feet" || c.proposed) {
       c.by_feet = kind == "feet";
-      for (const auto& d : p.at(2))
-        c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
+      if (!c.proposed || (p.size() > 2 && p[2].is_array()))
+        for (const auto& d : p.at(2))
+          c.direction.emplace_back(read_index(d.at(0), shape.sites()), read_direction(d, 1, shape));
     } else if (kind == "chords" || kind == "feet chords") {
       c.type = Claim::Type::kChords;
       c.by_feet = kind == "feet chords";
@@ -158,8 +160,6 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       c.type = Claim::Type::kRim;
       c.vertex = read_index(p.at(2), shape.point.size());
       c.edge = {read_index(p.at(3), shape.edge.size()), read_index(p.at(4), shape.edge.size())};
-    } else if (kind == "exact" || kind == "slice") {
-      c.type = Claim::Type::kNotShown;
     } else {
       throw Unreadable("unknown kind of part: " + kind);
     }

@@ -51,6 +51,10 @@ void Shape::find_edges() {
     defect_ = "the surface has a border";
     return;
   }
+  for (std::uint32_t t = 0; t < triangle.size(); ++t) {
+    const Vec<Rational> n = normal<Rational>(t);
+    normal_.push_back({enclose(n[0]), enclose(n[1]), enclose(n[2])});
+  }
   for (std::uint32_t e = 0; e < edge.size(); ++e) {
     for (const auto v : edge[e].vertex) edges_at[v].push_back(e);
     for (const auto v : triangle[edge[e].triangle[1]].vertex)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "number.hpp"
@@ -79,6 +80,7 @@ class Shape {
   /// Normal of a triangle, outwards; direction of an edge. Not of unit length.
   template <class N>
   [[nodiscard]] Vec<N> normal(std::uint32_t t) const {
+    if constexpr (std::is_same_v<N, Ball>) return normal_[t];
     const auto& v = triangle[t].vertex;
     const Vec<N> a = exactly<N>(point[v[0]]);
     return outer<N>(minus<N>(exactly<N>(point[v[1]]), a), minus<N>(exactly<N>(point[v[2]]), a));
@@ -103,6 +105,7 @@ class Shape {
   [[nodiscard]] bool polar_cone_has_interior(std::uint32_t v) const;
 
   std::string defect_;
+  std::vector<Vec<Ball>> normal_;  // the exact ones rounded: those of slivers lose digits in double
   std::vector<Site> candidates_;
 };
 

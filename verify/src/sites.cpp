@@ -1,6 +1,7 @@
 #include "sites.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace blum::verify {
 
@@ -15,6 +16,21 @@ BoxCorners::BoxCorners(const Box3& box) {
     }
     if (!repeated) point[count++] = p;
   }
+}
+
+Point3 center_of(const Box3& box) {
+  Point3 c;
+  for (int k = 0; k < 3; ++k)
+    c[k] = box.lo[k] == box.hi[k] ? box.lo[k] : 0.5 * box.lo[k] + 0.5 * box.hi[k];
+  return c;
+}
+
+std::array<double, 3> half_widths(const Box3& box) {
+  const Point3 c = center_of(box);
+  std::array<double, 3> h{};
+  for (int k = 0; k < 3; ++k)
+    h[k] = std::max(box.hi[k] - c[k], c[k] - box.lo[k]) * (1 + 0x1p-48) + 0x1p-1000;
+  return h;
 }
 
 Sites::Sites(const Shape& shape) : shape_(shape) {
@@ -127,20 +143,20 @@ bool Sites::beyond_two(Site s, const Box3& box) const {
   return false;
 }
 
-bool Sites::covers(Site s, const Box3& box) const {
+bool Sites::hold(std::span<const Condition> conditions, const Box3& box) const {
   const BoxCorners corners(box);
-  auto own = conditions(s);
-  if (shape_.kind(s) != Kind::kFace) own = own.first(own_conditions(s));
-  return std::ranges::all_of(own, [&](const Condition& c) {
+  return std::ranges::all_of(conditions, [&](const Condition& c) {
     return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
   });
 }
 
+bool Sites::covers(Site s, const Box3& box) const {
+  return hold(conditions(s).first(own_conditions(s)), box);
+}
+
+bool Sites::covers_inside(Site face, const Box3& box) const { return hold(conditions(face), box); }
+
 bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
-  const BoxCorners corners(box);
-  const auto holds = [&](const Condition& c) {
-    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
-  };
   const auto t = shape_.element(face);
   const auto at = [](const Condition& c, const auto& edge) {
     return c.type == Condition::Type::kPrism &&
@@ -150,8 +166,9 @@ bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
     const auto& edge = shape_.edge[e];
     const auto other = edge.triangle[edge.triangle[0] == t ? 1 : 0];
     const auto but_there = [&](Site s) {
-      return std::ranges::all_of(
-          conditions(s), [&](const Condition& c) { return at(c, edge.vertex) || holds(c); });
+      return std::ranges::all_of(conditions(s), [&](const Condition& c) {
+        return at(c, edge.vertex) || hold({&c, 1}, box);
+      });
     };
     return edge.bend == Bend::kFlat && but_there(face) && but_there(shape_.face_site(other));
   });
@@ -178,6 +195,53 @@ Sites::Fraction<N> Sites::squared_distance(const Vec<N>& x, Site s) const {
   return {N(h * h), inner(n, n), times(n, N(two * h))};
 }
 
+template <class N>
+std::array<Vec<N>, 3> Sites::second_order(Site s) const {
+  const auto i = shape_.element(s);
+  std::array<Vec<N>, 3> m;
+  Vec<N> u{N(0.0), N(0.0), N(0.0)};
+  N diagonal(1.0), sign(-1.0);
+  if (shape_.kind(s) == Kind::kEdge) {
+    u = shape_.along<N>(shape_.edge[i].vertex[0], shape_.edge[i].vertex[1]);
+    diagonal = inner(u, u);
+  } else if (shape_.kind(s) == Kind::kFace) {
+    u = shape_.normal<N>(i);
+    diagonal = N(0.0);
+    sign = N(1.0);
+  }
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t k = 0; k < 3; ++k)
+      m[j][k] = N((j == k ? diagonal : N(0.0)) + sign * u[j] * u[k]);
+  return m;
+}
+
+bool Sites::farther(Site a, Site b, const Box3& box) const {
+  const Point3 center = center_of(box);
+  const auto h = half_widths(box);
+  return decide([&]<class N>(const N&) {
+           const Vec<N> c = exactly<N>(center);
+           const auto fa = squared_distance(c, a), fb = squared_distance(c, b);
+           const auto ma = second_order<N>(a), mb = second_order<N>(b);
+           const auto less = [&](const N& p, const N& q) {
+             return N(p * fb.denominator - q * fa.denominator);
+           };
+           N least = less(fa.numerator, fb.numerator);
+           for (std::size_t i = 0; i < 3; ++i) {
+             N change = magnitude(less(fa.gradient[i], fb.gradient[i]));
+             for (std::size_t j = 0; j < 3; ++j)
+               change = N(change + magnitude(less(ma[i][j], mb[i][j])) * N(h[j]));
+             least = N(least - change * N(h[i]));
+           }
+           return sign_of(least);
+         }) > 0;
+}
+
+Ball Sites::square_of_distance(const Point3& x, Site s) const {
+  const auto f = squared_distance(exactly<Ball>(x), s);
+  return f.denominator.sign() == 1 ? divide(f.numerator, f.denominator)
+                                   : Ball(0.0, std::numeric_limits<double>::infinity());
+}
+
 int Sites::compare(const Point3& x, Site a, Site b) const {
   return decide([&]<class N>(const N&) {
     const Vec<N> p = exactly<N>(x);
@@ -187,6 +251,14 @@ int Sites::compare(const Point3& x, Site a, Site b) const {
 }
 
 int Sites::compare_heights(const Point3& x, Site a, Site b) const {
+  return compare_heights(x, a, b, 1);
+}
+
+int Sites::compare_with_mirrored(const Point3& x, Site a, Site b) const {
+  return compare_heights(x, a, b, -1);
+}
+
+int Sites::compare_heights(const Point3& x, Site a, Site b, double sign_of_b) const {
   return decide([&]<class N>(const N&) {
     const auto height = [&](Site s, N& squared_length) {
       const Vec<N> n = shape_.normal<N>(shape_.element(s));
@@ -194,7 +266,7 @@ int Sites::compare_heights(const Point3& x, Site a, Site b) const {
       return inner(n, minus(exactly<N>(x), exactly<N>(shape_.point[*shape_.corners(s).begin()])));
     };
     N s(0.0), t(0.0);
-    const N p = height(a, s), q = height(b, t);
+    const N p = height(a, s), q = N(height(b, t) * N(sign_of_b));
     return compare_over_roots(p, s, q, t);
   });
 }

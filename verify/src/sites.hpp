@@ -31,6 +31,10 @@ struct BoxCorners {
   [[nodiscard]] const Point3* end() const { return point.data() + count; }
 };
 
+[[nodiscard]] Point3 center_of(const Box3& box);
+/// At least half the box's size about that.
+[[nodiscard]] std::array<double, 3> half_widths(const Box3& box);
+
 class Sites {
  public:
   explicit Sites(const Shape& shape);
@@ -50,17 +54,25 @@ class Sites {
   [[nodiscard]] bool beyond(Site s, const Box3& box) const;
   /// Is one of two conditions violated at every point of the box, though neither on the whole?
   [[nodiscard]] bool beyond_two(Site s, const Box3& box) const;
-  /// Does every point of the box project into the closed site; and, for a face, lie on its inner
-  /// side?
+  /// Does every point of the box project into the closed site?
   [[nodiscard]] bool covers(Site s, const Box3& box) const;
+  /// And lie on the inner side of this face?
+  [[nodiscard]] bool covers_inside(Site face, const Box3& box) const;
 
   /// The same for a face and, if it leaves the face across a flat edge, the neighbour there.
   [[nodiscard]] bool covers_with_neighbour(Site face, const Box3& box) const;
 
   /// Sign of d_a(x) - d_b(x), distances to the carriers.
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;
+  /// Is d_a > d_b on the whole box, distances to the carriers? By their difference at the centre
+  /// and how much it can change.
+  [[nodiscard]] bool farther(Site a, Site b, const Box3& box) const;
+  /// Bounds of the squared distance from x to the carrier.
+  [[nodiscard]] Ball square_of_distance(const Point3& x, Site s) const;
   /// Sign of the signed height of x over face a minus that over face b.
   [[nodiscard]] int compare_heights(const Point3& x, Site a, Site b) const;
+  /// And of the one plus the other.
+  [[nodiscard]] int compare_with_mirrored(const Point3& x, Site a, Site b) const;
   /// Sign of grad(d_a - d_b).w at a tie x of the two carriers; for two faces with x inside both
   /// planes, that of the distances themselves, which is constant.
   [[nodiscard]] int slope(const Point3& x, Site a, Site b, const Vec<Rational>& w) const;
@@ -87,9 +99,14 @@ class Sites {
   };
   template <class N>
   [[nodiscard]] Fraction<N> squared_distance(const Vec<N>& x, Site s) const;
+  /// Its numerator's quadratic part.
+  template <class N>
+  [[nodiscard]] std::array<Vec<N>, 3> second_order(Site s) const;
   [[nodiscard]] bool behind(Site site, Site other) const;
 
   [[nodiscard]] std::vector<Condition> make_conditions(Site s) const;
+  [[nodiscard]] bool hold(std::span<const Condition> conditions, const Box3& box) const;
+  [[nodiscard]] int compare_heights(const Point3& x, Site a, Site b, double sign_of_b) const;
 
   const Shape& shape_;
   std::vector<std::vector<Condition>> condition_;

@@ -1,0 +1,116 @@
+// Parts of faces that the program decided by exact algebra: the checker shows them as stars, and
+// takes nothing that is false about them.
+#include <filesystem>
+
+#include "blum/kernel/mesh.hpp"
+#include "certificates.hpp"
+
+namespace blum::test {
+namespace {
+
+using Outcome = verify::Answer::Outcome;
+
+Certified fixture(const std::string& name, std::uint64_t seed) {
+  const auto mesh = read_mesh(std::filesystem::path(BLUM_FIXTURES_DIR) / (name + ".off"));
+  EXPECT_TRUE(mesh.ok()) << name;
+  MedialOptions options;
+  options.seed = seed;
+  return {name, mesh.value(), options};
+}
+
+/// Calls visit(record, part) for each exact part of the records, in order.
+template <class F>
+void for_exact_parts(std::vector<Json>& records, F&& visit) {
+  const auto of_face = [&](Json& face) {
+    for (Json& part : face["parts"])
+      if (part[0] == "exact") visit(part);
+  };
+  for (Json& record : records) {
+    if (record.contains("leaf") && record["leaf"].contains("faces"))
+      for (Json& face : record["leaf"]["faces"]) of_face(face);
+    if (record.contains("interface")) of_face(record["interface"]);
+  }
+}
+
+std::size_t count_exact_parts(std::vector<Json> records) {
+  std::size_t n = 0;
+  for_exact_parts(records, [&](const Json&) { ++n; });
+  return n;
+}
+
+const std::vector<Certified>& with_exact_parts() {
+  static std::vector<Certified> all;
+  if (!all.empty()) return all;
+  all.emplace_back("lpocket", shapes::lpocket(1, 2, 1e-9));
+  all.emplace_back("lpocket rotated", shapes::rotate_rounded(shapes::lpocket(1, 2, 1e-9), 1));
+  all.emplace_back("lbracket rotated", shapes::rotate_rounded(shapes::lbracket(4, 3, 1e-9, 2), 2));
+  all.push_back(fixture("needle_two_events", 414));
+  all.push_back(fixture("wall_by_feet", 413));
+  return all;
+}
+
+TEST(VerifyExactParts, BesideWallsAndInNeedles_AreShown) {
+  for (const Certified& c : with_exact_parts()) {
+    EXPECT_GT(count_exact_parts(c.record), 0u) << c.name;
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+    EXPECT_EQ(answer.betti, c.betti);
+  }
+}
+
+// Bounds of this checker alone: the sites of a needle, and an edge beside a face in its plane but
+// for rounding.
+TEST(VerifyFixtures, NeedleAndThinWall_Verified) {
+  for (const Certified& c : {fixture("needle", 71), fixture("wall_rotated", 519)}) {
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
+/// With the change of its nth exact part.
+template <class F>
+verify::Answer changed(const Certified& c, std::size_t n, F&& change) {
+  std::vector<Json> records = c.record;
+  for_exact_parts(records, [&](Json& part) {
+    if (n-- == 0) change(part);
+  });
+  return check(c, records);
+}
+
+TEST(VerifyExactParts, WithDirectionsTurnedRound_Rejected) {
+  for (const Certified& c : with_exact_parts()) {
+    std::size_t turned = 0, accepted = 0;
+    for (std::size_t n = 0; n < std::min<std::size_t>(count_exact_parts(c.record), 3); ++n) {
+      bool any = false;
+      const verify::Answer answer = changed(c, n, [&](Json& part) {
+        for (Json& d : part[2]) {
+          d[1] = -d[1].get<double>();
+          d[2] = -d[2].get<double>();
+          any = true;
+        }
+      });
+      turned += any;
+      accepted += any && answer.outcome == Outcome::kVerified;
+    }
+    EXPECT_GT(turned, 0u) << c.name;
+    EXPECT_EQ(accepted, 0u) << c.name;
+  }
+}
+
+TEST(VerifyExactParts, WithoutTheSitesThatShow_Rejected) {
+  for (const Certified& c : with_exact_parts())
+    EXPECT_NE(changed(c, 0, [](Json& part) { part[1] = Json::array(); }).outcome,
+              Outcome::kVerified)
+        << c.name;
+}
+
+// As certificates had them before there were proposals.
+TEST(VerifyExactParts, WithoutDirections_FalseByName) {
+  const Certified c("lpocket", shapes::lpocket(1, 2, 1e-9));
+  const verify::Answer answer = changed(c, 0, [](Json& part) { part.erase(2); });
+  EXPECT_EQ(answer.outcome, Outcome::kFalse);
+  EXPECT_NE(answer.statement.find("only exact algebra"), std::string::npos) << answer.statement;
+}
+
+}  // namespace
+}  // namespace blum::test
