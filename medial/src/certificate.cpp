@@ -250,6 +250,9 @@ std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
       case Kind::kSlice:
         j.push_back({"slice", sites(r.sites), r.vertex});
         break;
+      case Kind::kLink:
+        j.push_back({"link", sites(r.sites), r.vertex});
+        break;
     }
   }
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};

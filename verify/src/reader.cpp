@@ -158,7 +158,7 @@ std::vector<PartNode> read_parts(const nlohmann::json& j, const Shape& shape) {
       c.type = Claim::Type::kRim;
       c.vertex = read_index(p.at(2), shape.point.size());
       c.edge = {read_index(p.at(3), shape.edge.size()), read_index(p.at(4), shape.edge.size())};
-    } else if (kind == "exact" || kind == "slice") {
+    } else if (kind == "exact" || kind == "slice" || kind == "link") {
       c.type = Claim::Type::kNotShown;
     } else {
       throw Unreadable("unknown kind of part: " + kind);
