@@ -97,13 +97,10 @@ class FaceEngine {
   /// Theorem G, with the chains of triangles at the vertex and the axis' ends on its foot cone.
   [[nodiscard]] bool accept_link(const Apex& apex, const Box& box, std::span<const LocalForm> forms,
                                  const Groups& feet, const Circle& circle);
-  /// What the section of the part with the foot cone of the vertex shows.
-  struct Section {
-    std::vector<Predicates::VertexLink::Ray> end;  ///< where a sheet of the axis ends
-    bool within = true;                            ///< all extreme rays of the cone are in the part
-  };
-  /// Nullopt: an extreme ray of the cone passes through the border.
-  [[nodiscard]] std::optional<Section> section_of(const Apex& apex, const Box& box);
+  /// The extreme rays of the foot cone of the vertex that pass through the part and on which a
+  /// sheet of the axis ends. Nullopt: an extreme ray passes through the border.
+  [[nodiscard]] std::optional<std::vector<Predicates::VertexLink::Ray>> ends_on_cone(
+      const Apex& apex, const Box& box);
   /// What an interval of a circle shows.
   struct Shown {
     bool vertex = false;
@@ -116,10 +113,10 @@ class FaceEngine {
     std::uint32_t run;
     std::array<SiteId, 2> sites;  ///< that tie there
   };
-  /// The tips of trees, one each, that part intervals of one chain each.
-  [[nodiscard]] std::optional<std::vector<Tip>> tips_between(const Section& section,
-                                                             const Apex& apex,
-                                                             std::span<const Shown> shown);
+  /// Of trees with several ends on the circle, each of which has one inside.
+  [[nodiscard]] std::optional<std::vector<Tip>> tips_of(
+      const Apex& apex, std::span<const Predicates::VertexLink::Ray> rays,
+      std::span<const std::uint32_t> region, std::span<const Shown> shown);
   [[nodiscard]] Tip tip_of(const Predicates::VertexLink::Ray& ray, std::uint32_t run) const;
   /// Theorem S: all sites seen from a vertex.
   [[nodiscard]] bool accept_slice(const Box& box, std::span<const LocalForm> forms,

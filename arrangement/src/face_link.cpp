@@ -24,21 +24,48 @@ std::uint32_t chain_of(const SiteGeometry& geometry, const Predicates::VertexLin
   return link.chain[static_cast<std::size_t>(std::ranges::find(triangles, t) - triangles.begin())];
 }
 
+/// The extreme ray of the foot cone between whose edges the triangles of a chain lie that does not
+/// bound the cone. Requires: the link has rays.
+const Predicates::VertexLink::Ray* ray_over(const Solid& solid, const Predicates::VertexLink& link,
+                                            std::uint32_t vertex, std::uint32_t chain) {
+  const auto triangles = solid.triangles_at(vertex);
+  const auto place = [&](std::uint32_t t) {
+    return static_cast<std::uint32_t>(std::ranges::find(triangles, t) - triangles.begin());
+  };
+  const auto bounds = [&](std::uint32_t e) {
+    return std::ranges::any_of(link.ray, [e](const auto& r) { return r.edge[0] == e; });
+  };
+  UnionFind sector;  // of triangles between two edges that bound the cone
+  sector.resize(static_cast<std::uint32_t>(triangles.size()));
+  for (const auto e : solid.edges_at(vertex))
+    if (!bounds(e))
+      sector.unite(place(solid.edge[e].triangle[0]), place(solid.edge[e].triangle[1]));
+  const auto own = sector.find(
+      static_cast<std::uint32_t>(std::ranges::find(link.chain, chain) - link.chain.begin()));
+  for (const auto& ray : link.ray)
+    if (std::ranges::all_of(ray.edge, [&](std::uint32_t e) {
+          return std::ranges::any_of(solid.edge[e].triangle,
+                                     [&](auto t) { return sector.find(place(t)) == own; });
+        }))
+      return &ray;
+  return nullptr;
+}
+
 }  // namespace
 
-std::optional<FaceEngine::Section> FaceEngine::section_of(const Apex& apex, const Box& box) {
-  Section section;
-  if (!apex.is_foot) return section;
+std::optional<std::vector<Predicates::VertexLink::Ray>> FaceEngine::ends_on_cone(const Apex& apex,
+                                                                                 const Box& box) {
+  std::vector<Predicates::VertexLink::Ray> ends;
+  if (!apex.is_foot) return ends;
   const Rect& r = problem_.rect;
   for (const auto& ray : context_.vertex_link(apex.vertex)->ray) {
     const auto passes = context_.predicates.passes(apex.vertex, ray, r.axis, r.level,
                                                    point_on(r.axis, r.level, box.u0, box.v0),
                                                    point_on(r.axis, r.level, box.u1, box.v1));
     if (!passes) return std::nullopt;
-    section.within &= *passes;
-    if (*passes && ray.ends_axis) section.end.push_back(ray);
+    if (*passes && ray.ends_axis) ends.push_back(ray);
   }
-  return section;
+  return ends;
 }
 
 std::vector<FaceEngine::Shown> FaceEngine::shown_on(const Circle& circle, const Apex& apex) {
@@ -74,30 +101,27 @@ FaceEngine::Tip FaceEngine::tip_of(const Predicates::VertexLink::Ray& ray,
   return {run, {index.edge(ray.edge[0]), index.edge(ray.edge[1])}};
 }
 
-std::optional<std::vector<FaceEngine::Tip>> FaceEngine::tips_between(const Section& section,
-                                                                     const Apex& apex,
-                                                                     std::span<const Shown> shown) {
+std::optional<std::vector<FaceEngine::Tip>> FaceEngine::tips_of(
+    const Apex& apex, std::span<const Predicates::VertexLink::Ray> rays,
+    std::span<const std::uint32_t> region, std::span<const Shown> shown) {
   const Predicates::VertexLink& link = *context_.vertex_link(apex.vertex);
-  const Rect& r = problem_.rect;
-  const bool forward = r.level > context_.geometry.solid().point[apex.vertex][r.axis];
-  std::vector<std::uint32_t> beside;  // the cone: intervals, counter-clockwise
-  for (std::uint32_t k = 0; k < shown.size(); ++k) {
-    if (shown[k].vertex || shown[k].chain.size() != 1) return std::nullopt;
-    if (link.merged[shown[k].chain[0]]) beside.push_back(k);
-  }
+  const auto n = static_cast<std::uint32_t>(region.size());
+  const auto at_cone = [&](std::uint32_t k) {
+    return shown[k].vertex || link.merged[shown[k].chain[0]];
+  };
   std::vector<Tip> tips;
-  for (std::size_t k = 0; k < beside.size(); ++k) {
-    const auto from = shown[beside[k]].chain[0],
-               to = shown[beside[(k + 1) % beside.size()]].chain[0];
-    const auto between = [&](const Predicates::VertexLink::Ray& ray) {
-      const auto chain = [&](std::uint32_t e) {
-        return chain_of(context_.geometry, link, apex.vertex, context_.geometry.index().edge(e));
-      };
-      const auto a = chain(ray.edge[0]), b = chain(ray.edge[1]);
-      return forward ? a == from && b == to : a == to && b == from;
-    };
-    if (std::ranges::count_if(section.end, between) != 1) return std::nullopt;
-    tips.push_back(tip_of(*std::ranges::find_if(section.end, between), beside[k]));
+  for (const auto& [root, ends] : trees_of(region)) {
+    if (ends.size() < 2) continue;
+    // The tree lies over the chains of its other regions.
+    const auto before =
+                   std::ranges::find_if(ends, [&](auto k) { return at_cone((k + n - 1) % n); }),
+               over = std::ranges::find_if(ends, [&](auto k) { return !at_cone(k); });
+    if (before == ends.end() || over == ends.end()) return std::nullopt;
+    const auto* ray = ray_over(context_.geometry.solid(), link, apex.vertex, shown[*over].chain[0]);
+    if (ray == nullptr ||
+        std::ranges::none_of(rays, [ray](const auto& r) { return r.edge == ray->edge; }))
+      return std::nullopt;
+    tips.push_back(tip_of(*ray, (*before + n - 1) % n));
   }
   return tips;
 }
@@ -106,8 +130,8 @@ bool FaceEngine::accept_link(const Apex& apex, const Box& box, std::span<const L
                              const Groups& feet, const Circle& circle) {
   const auto& link = context_.vertex_link(apex.vertex);
   if (!link) return false;
-  const auto section = section_of(apex, box);
-  if (!section) return false;
+  const auto rays = ends_on_cone(apex, box);
+  if (!rays) return false;
 
   // Regions differ if their governors are in different groups of "may share a foot", or in
   // different chains; those beside the cone of the vertex count as one.
@@ -126,44 +150,44 @@ bool FaceEngine::accept_link(const Apex& apex, const Box& box, std::span<const L
   regions.count = static_cast<std::uint32_t>(number.size());
 
   const std::uint32_t ties = ends_of(circle);
-  const auto ends = static_cast<std::uint32_t>(section->end.size());
+  const auto ends = static_cast<std::uint32_t>(rays->size());
   if (ties == 0 ? ends > 0 : ties + ends == 1) return false;  // something is not as thought
   const auto runs = ties == 1 ? std::vector<std::uint32_t>(1) : runs_of(circle, forms, regions);
   if (!runs) return false;
   const std::vector<Shown> shown = shown_on(circle, apex);
-  std::vector<std::uint32_t>
-      beside;  // intervals whose region is that about the cone, if it is here
+  std::vector<std::uint32_t> beside;  // intervals of the region about the cone, if that is one
   for (std::uint32_t k = 0; apex.is_foot && k < shown.size(); ++k)
     if (shown[k].vertex || link->merged[shown[k].chain[0]]) beside.push_back(k);
 
   std::vector<std::uint32_t> region;  // empty: all different
   std::vector<Tip> tips;
   const std::size_t different = std::set(runs->begin(), runs->end()).size();
-  if (ties + ends <= 3 || different == runs->size()) {
-    if (ends > 1) return false;
-    if (ends == 1 && ties > 1) {
-      // The interval of the region about the tip.
+  if (ties + ends <= 3) {
+    if (ends == 1 && ties == 2) {
+      // The interval of the region about the tip, which is that about the cone.
       if (beside.size() > 1)
         std::erase_if(beside,
                       [&](auto k) { return !shown[k].vertex && shown[k].chain.size() < 2; });
       if (beside.size() != 1) return false;
-      tips.push_back(tip_of(section->end[0], beside[0]));
+      tips.push_back(tip_of(rays->front(), beside[0]));
     }
-  } else {
-    // Only intervals beside the cone are of one region: if the cone joins them.
-    if (!apex.is_foot || different + beside.size() != runs->size() + 1) return false;
-    const bool all_meet_cone = std::ranges::all_of(
-        beside, [&](auto k) { return shown[k].vertex || shown[k].chain.size() > 1; });
-    if (!(all_meet_cone && ends == 0)) {
-      const auto chains = static_cast<std::size_t>(std::ranges::count(link->merged, true));
-      if (!section->within || ends != beside.size() || chains != ends) return false;
-      auto found = tips_between(*section, apex, shown);
+  } else if (different + std::max(ends, 1u) == ties + 1) {
+    // As many trees as ends inside, or one: not more regions than are seen to be different.
+    region = *runs;
+    if (ends > 0) {
+      auto found = tips_of(apex, *rays, region, shown);
       if (!found) return false;
       tips = std::move(*found);
     }
+  } else {
+    // Only intervals beside the cone are of one region: those that meet it.
+    if (!apex.is_foot || ends > 0 || different + beside.size() != ties + 1 ||
+        !std::ranges::all_of(beside,
+                             [&](auto k) { return shown[k].vertex || shown[k].chain.size() > 1; }))
+      return false;
     region = *runs;
-    if (trees_of(region).size() != beside.size()) return false;
   }
+  if (!region.empty() && trees_of(region).size() != ties + 1 - different) return false;
   std::size_t most_ends = region.empty() ? ties + ends : 0;
   if (!region.empty())
     for (const auto& [root, own] : trees_of(region)) {
@@ -172,7 +196,7 @@ bool FaceEngine::accept_link(const Apex& apex, const Box& box, std::span<const L
     }
   if (most_ends > 3 && context_.part_clusters &&
       range_of(box).radius() > ProductionEngine::kSmallestCluster &&
-      (ends > 0 || !region.empty() || !meet_in_one_point(box, forms, regions, circle)))
+      (ends > 0 || different != ties || !meet_in_one_point(box, forms, regions, circle)))
     return false;
   context_.counts.rims += ends;
   ++context_.counts.links;
