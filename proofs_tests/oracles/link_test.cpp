@@ -60,7 +60,7 @@ std::vector<Point3> ring_of(Random& random, Pit kind) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Point3 &p = e[k], &q = e[(k + 1) % 3];
         ring.push_back(p);
-        for (std::size_t between = k == 0 ? 5 : random() % 4; between > 0; --between) {
+        for (std::size_t between = k == 0 ? 3 : random() % 2; between > 0; --between) {
           const double a = uniform(random, 0.2, 0.8), b = uniform(random, 0.2, 0.8);
           ring.push_back({a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z});
         }
@@ -110,7 +110,7 @@ std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t
   };
   // Next to one ray, or to the cone's inside.
   std::array<double, 3> z{};
-  const auto one = random() % (link->ray.size() + 1);
+  const auto one = random() % (2 * link->ray.size());  // half of the times the inside
   for (std::size_t k = 0; k < link->ray.size(); ++k) {
     if (one < link->ray.size() && one != k) continue;
     const auto a = direction(link->ray[k].edge[0]), b = direction(link->ray[k].edge[1]);
@@ -120,12 +120,12 @@ std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t
     for (std::size_t i = 0; i < 3; ++i) z[i] += c[i] / length * uniform(random, 0.1, 1);
   }
   const double distance = scene.extent() * log_uniform(random, 1e-3, 0.02),
-               size = distance * log_uniform(random, 0.03, 3);
+               size = distance * log_uniform(random, 0.1, 4);
   const double length = std::hypot(z[0], z[1], z[2]);
   Point3 c;
   for (int k = 0; k < 3; ++k)
     c[k] = v[k] + z[static_cast<std::size_t>(k)] / length * distance +
-           size * uniform(random, -0.7, 0.7);
+           size * uniform(random, -0.3, 0.3);
   Rect r;
   r.axis = static_cast<int>(random() % 3);
   r.level = c[r.axis];
@@ -137,7 +137,7 @@ std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t
   return r;
 }
 
-void run_pits(std::uint64_t seed, int rounds, Tally& tally) {
+void run_pits(std::uint64_t seed, int rounds, std::size_t most_candidates, Tally& tally) {
   Random random(seed);
   for (int round = 0; round < rounds; ++round)
     for (const Pit kind : {Pit::kRandom, Pit::kIntegers, Pit::kCorner}) {
@@ -150,7 +150,8 @@ void run_pits(std::uint64_t seed, int rounds, Tally& tally) {
         const Point3& p = scene.solid->point[v];
         if (p.x != scene.working(0, 0) || p.y != scene.working(1, 0)) continue;
         for (int k = 0; k < 6; ++k)
-          if (const auto r = rect_below(random, scene, v))
+          if (const auto r = rect_below(random, scene, v);
+              r && scene.near(*r).size() <= most_candidates)
             test::compare(scene, *r, false, tally, test::First::kLinks);
       }
     }
@@ -159,7 +160,7 @@ void run_pits(std::uint64_t seed, int rounds, Tally& tally) {
 
 TEST(Link, Pits_GiveTheMapOfTheOracle) {
   Tally tally;
-  run_pits(1, 6, tally);
+  run_pits(1, 8, 9, tally);
   EXPECT_GE(tally.same, 60);
   EXPECT_GE(tally.links, 40);
   EXPECT_GE(tally.rims, 5);
@@ -168,8 +169,8 @@ TEST(Link, Pits_GiveTheMapOfTheOracle) {
 
 TEST(SweepLink, Pits_GiveTheMapOfTheOracle) {
   Tally tally;
-  for (std::uint64_t seed = 2; seed < 12; ++seed) run_pits(seed, 40, tally);
-  EXPECT_GE(tally.same, 2000);
+  for (std::uint64_t seed = 2; seed < 12; ++seed) run_pits(seed, 10, 13, tally);
+  EXPECT_GE(tally.same, 800);
   EXPECT_EQ(tally.different, 0);
 }
 
