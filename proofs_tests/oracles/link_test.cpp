@@ -160,7 +160,7 @@ void run_pits(std::uint64_t seed, int rounds, std::size_t most_candidates, Tally
 
 TEST(Link, Pits_GiveTheMapOfTheOracle) {
   Tally tally;
-  run_pits(1, 10, 14, tally);
+  run_pits(1, 8, 14, tally);
   EXPECT_GE(tally.same, 50);
   EXPECT_GE(tally.links, 40);
   EXPECT_GE(tally.rims, 5);
