@@ -44,6 +44,12 @@ Predicates::FootCone EngineContext::foot_cone(std::uint32_t vertex) {
   return it->second;
 }
 
+const std::optional<Predicates::VertexLink>& EngineContext::vertex_link(std::uint32_t vertex) {
+  const auto [it, fresh] = vertex_link_.try_emplace(vertex);
+  if (fresh) it->second = predicates.vertex_link(vertex);
+  return it->second;
+}
+
 const Touch& EngineContext::touch(SiteId a, SiteId b) {
   const std::uint64_t key = (std::uint64_t{a.value} << 32) | b.value;
   const auto [it, fresh] = touch_.try_emplace(key);

@@ -28,6 +28,7 @@ struct EngineContext {
   /// Decide without fans (fan.hpp), by conditions that hold at corners: for certificates.
   bool plain = false;
   bool slices_first = false;                 ///< ProductionEngine::prefer_slices
+  bool links_first = false;                  ///< ProductionEngine::prefer_links
   std::vector<PartRecord>* parts = nullptr;  ///< where the face in work is written down, or null
   /// Set from outside to give up: running work then answers kUndecided soon.
   const std::atomic<bool>* stop = nullptr;
@@ -44,13 +45,14 @@ struct EngineContext {
   [[nodiscard]] bool voronoi() const { return geometry.kind() == DiagramKind::kVoronoi; }
 
   /// Do ties of two sites never count? Predicates::never_essential, remembered; in a Voronoi
-  /// diagram all ties count. unit_difference, foot_cone, carrier_difference and (Voronoi)
-  /// touch are remembered too.
+  /// diagram all ties count. unit_difference, foot_cone, vertex_link, carrier_difference and
+  /// (Voronoi) touch are remembered too.
   [[nodiscard]] bool never_essential(SiteId a, SiteId b);
   [[nodiscard]] const BallVector& unit_difference(SiteId a, SiteId b);
   /// Predicates::height of a point of the solid over a face, remembered.
   [[nodiscard]] const Ball& height(std::uint32_t point, SiteId face);
   [[nodiscard]] Predicates::FootCone foot_cone(std::uint32_t vertex);
+  [[nodiscard]] const std::optional<Predicates::VertexLink>& vertex_link(std::uint32_t vertex);
   [[nodiscard]] const Touch& touch(SiteId a, SiteId b);
   [[nodiscard]] const Predicates::CarrierDifference& carrier_difference(SiteId a, SiteId b);
 
@@ -64,6 +66,7 @@ struct EngineContext {
   std::unordered_map<std::uint64_t, BallVector> difference_;
   std::unordered_map<std::uint64_t, Ball> height_;
   std::unordered_map<std::uint32_t, Predicates::FootCone> foot_cone_;
+  std::unordered_map<std::uint32_t, std::optional<Predicates::VertexLink>> vertex_link_;
   std::unordered_map<std::uint64_t, Touch> touch_;
   std::unordered_map<std::uint64_t, Predicates::CarrierDifference> carrier_difference_;
 };

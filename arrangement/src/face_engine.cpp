@@ -313,9 +313,9 @@ std::optional<Direction> FaceEngine::along_strip(std::span<const GainPair> pairs
   for (const Direction& d : tried)
     if (std::ranges::all_of(pairs, [&](const GainPair& g) {
           const LocalForm& other = forms[g.j];
-          return forms[g.i].site == own.site && (other.site == index.face(edge.triangle[0]) ||
-                                                 other.site == index.face(edge.triangle[1]) ||
-                                                 gains(g.slope, range, d.w));
+          return forms[g.i].site == own.site &&
+                 (other.site == index.face(edge.triangle[0]) ||
+                  other.site == index.face(edge.triangle[1]) || gains(g.slope, range, d.w));
         }))
       return d;
   return std::nullopt;
@@ -462,6 +462,8 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
   if (ties.cliques && ties.count > max_groups) return false;
   const Groups feet = Groups::by_feet(context_, forms, range_of(box));
   if (context_.slices_first && !context_.voronoi() && accept_slice(box, forms, feet, border))
+    return true;
+  if (context_.links_first && !context_.voronoi() && accept_cone(box, forms, feet, border))
     return true;
   if (ties.cliques && accept_star(box, forms, ties, feet, border)) return true;
   if (feet.cliques && feet.count <= max_groups && feet != ties &&

@@ -87,6 +87,37 @@ class FaceEngine {
   /// Theorem G: all sites meet in one vertex.
   [[nodiscard]] bool accept_cone(const Box& box, std::span<const LocalForm> forms,
                                  const Groups& feet, const Border& border);
+  /// The vertex of Theorem G, where it holds.
+  struct Apex {
+    std::uint32_t vertex;
+    bool is_foot;  ///< perhaps of a point of the part; false: certainly of none
+  };
+  [[nodiscard]] std::optional<Apex> apex_of(const Box& box, std::span<const LocalForm> forms,
+                                            const Border& border);
+  /// Theorem G, with the chains of triangles at the vertex and the axis' ends on its foot cone.
+  [[nodiscard]] bool accept_link(const Apex& apex, const Box& box, std::span<const LocalForm> forms,
+                                 const Groups& feet, const Circle& circle);
+  /// The extreme rays of the foot cone of the vertex that pass through the part and on which a
+  /// sheet of the axis ends. Nullopt: an extreme ray passes through the border.
+  [[nodiscard]] std::optional<std::vector<Predicates::VertexLink::Ray>> ends_on_cone(
+      const Apex& apex, const Box& box);
+  /// What an interval of a circle shows.
+  struct Shown {
+    bool vertex = false;
+    std::vector<std::uint32_t> chain;  ///< at the vertex
+  };
+  [[nodiscard]] std::vector<Shown> shown_on(const Circle& circle, const Apex& apex);
+  /// Where in record() a tree ends inside: that of the end after interval `run`, which is of the
+  /// region about its tip.
+  struct Tip {
+    std::uint32_t run;
+    std::array<SiteId, 2> sites;  ///< that tie there
+  };
+  /// Of trees with several ends on the circle, each of which has one inside.
+  [[nodiscard]] std::optional<std::vector<Tip>> tips_of(
+      const Apex& apex, std::span<const Predicates::VertexLink::Ray> rays,
+      std::span<const std::uint32_t> region, std::span<const Shown> shown);
+  [[nodiscard]] Tip tip_of(const Predicates::VertexLink::Ray& ray, std::uint32_t run) const;
   /// Theorem S: all sites seen from a vertex.
   [[nodiscard]] bool accept_slice(const Box& box, std::span<const LocalForm> forms,
                                   const Groups& feet, const Border& border);
@@ -184,9 +215,15 @@ class FaceEngine {
   [[nodiscard]] static Trees trees_of(std::span<const std::uint32_t> region);
   /// Records the graph of a component: a forest whose ends are the separators of its circle.
   /// `region` numbers the region of each interval, in the order of runs_of; empty: all different,
-  /// so the forest is one tree. A rim: one tree with one more end inside.
+  /// so the forest is one tree.
+  enum class Rims : std::uint8_t {
+    kNone,
+    kCone,  ///< one tree, a cone about one more end inside
+    kTips,  ///< each tree has one more end inside: with several, that of `tips`
+  };
   void record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
-              const Box& box, std::span<const std::uint32_t> region = {}, bool rim = false);
+              const Box& box, std::span<const std::uint32_t> region = {}, Rims rims = Rims::kNone,
+              std::span<const Tip> tips = {});
   [[nodiscard]] Trouble split(Box& box, Box& low, Box& high);
   [[nodiscard]] Trouble cut(const Line& line, double m, const Box& box, Line& low, Line& high,
                             bool& inside, SiteId& label);

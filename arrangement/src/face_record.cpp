@@ -91,7 +91,8 @@ FaceEngine::Trees FaceEngine::trees_of(std::span<const std::uint32_t> region) {
 }
 
 void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, const Groups& feet,
-                        const Box& box, std::span<const std::uint32_t> region, bool rim) {
+                        const Box& box, std::span<const std::uint32_t> region, Rims rims,
+                        std::span<const Tip> tips) {
   const Sequence s = label_circle(circle, forms, feet);
   const auto n = static_cast<std::uint32_t>(s.end.size());
   if (n == 0) return;
@@ -105,20 +106,25 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, 
   const auto beside = [&](std::uint32_t k) {
     return std::array{s.run[(k + n - 1) % n].element, s.run[k].element};
   };
+  const auto inner_node = [&](FaceNode::Kind kind) {
+    const auto node = new_node(kind, box);
+    nodes_[node].element = s.run.front().element;
+    return node;
+  };
   for (const auto& [root, ends] : trees_of(region_of)) {
-    BLUM_CHECK(rim || ends.size() >= 2);
-    if (ends.size() == 2 && !rim) {
+    BLUM_CHECK(rims != Rims::kNone || ends.size() >= 2);
+    if (ends.size() == 2 && rims == Rims::kNone) {
       const auto &from = s.end[ends[0]], &to = s.end[ends[1]];
       add_arc(from.node, to.node, from.below, from.above, beside(ends[0]));
       continue;
     }
-    const auto center = new_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent, box);
-    nodes_[center].element = s.run.front().element;
+    const bool tip = rims == Rims::kTips && ends.size() > 1, rim = rims != Rims::kNone && !tip;
+    const auto center = inner_node(rim ? FaceNode::Kind::kRim : FaceNode::Kind::kEvent);
     for (const auto k : ends)
       add_arc(center, s.end[k].node, s.end[k].below, s.end[k].above, beside(k));
     // A tree with three ends has one branching point, a true event. More: a cluster.
     FaceNode& node = nodes_[center].node;
-    node.exact = rim || ends.size() == 3;
+    node.exact = rim || ends.size() + tip == 3;
     context_.counts.clusters += !node.exact;
     if (rim)
       for (const LocalForm& f : forms) node.governors.push_back(f.site);
@@ -129,6 +135,15 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, 
     std::sort(node.governors.begin(), node.governors.end());
     node.governors.erase(std::unique(node.governors.begin(), node.governors.end()),
                          node.governors.end());
+    if (!tip) continue;
+    const auto own = std::ranges::find_if(
+        tips, [&](const Tip& t) { return std::ranges::find(ends, (t.run + 1) % n) != ends.end(); });
+    BLUM_CHECK(own != tips.end());
+    const auto end = inner_node(FaceNode::Kind::kRim);
+    for (const LocalForm& f : forms) nodes_[end].node.governors.push_back(f.site);
+    std::ranges::sort(nodes_[end].node.governors);
+    const auto around = s.run[own->run].element;
+    add_arc(center, end, own->sites[0], own->sites[1], {around, around});
   }
 }
 

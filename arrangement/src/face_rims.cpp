@@ -57,7 +57,7 @@ bool FaceEngine::accept_rim(const Box& box, std::span<const LocalForm> forms, co
 
       // On the plane all d_i^2 - |x - v|^2 are homogeneous about the rim's point: a cone.
       ++context_.counts.rims;
-      record(border.circle[0], forms, feet, box, {}, true);
+      record(border.circle[0], forms, feet, box, {}, Rims::kCone);
       note(PartRecord::Kind::kRim, forms, common, {edges[i], edges[j]});
       return true;
     }
@@ -117,34 +117,43 @@ bool feet_stay_at(const SiteGeometry& geometry, std::uint32_t v, const Range& ra
   return (farthest + range.radius()) * (1 + 0x1p-40) < reach;
 }
 
+std::optional<FaceEngine::Apex> FaceEngine::apex_of(const Box& box,
+                                                    std::span<const LocalForm> forms,
+                                                    const Border& border) {
+  if (!wholly_inside(border)) return std::nullopt;
+  const Rect& r = problem_.rect;
+  const Solid& solid = context_.geometry.solid();
+  const auto v = common_vertex(context_.geometry, forms);
+  if (!v || solid.point[*v][r.axis] == r.level) return std::nullopt;
+  const Range range = range_of(box);
+  if (!feet_stay_at(context_.geometry, *v, range)) return std::nullopt;
+  return Apex{*v, may_be_foot(context_, *v, forms, range) &&
+                      meets_polar_cone(solid, *v, point_on(r.axis, r.level, box.u0, box.v0),
+                                       point_on(r.axis, r.level, box.u1, box.v1))};
+}
+
 bool FaceEngine::accept_cone(const Box& box, std::span<const LocalForm> forms, const Groups& feet,
                              const Border& border) {
-  if (!wholly_inside(border)) return false;
-  const auto v = common_vertex(context_.geometry, forms);
-  if (!v || context_.geometry.solid().point[*v][problem_.rect.axis] == problem_.rect.level)
-    return false;
-  const Range range = range_of(box);
+  const auto apex = apex_of(box, forms, border);
+  if (!apex) return false;
   // Theorem G: the axis is a forest here, whose ends are the ties and, one for each tree, points
   // where feet merge in v.
-  const std::uint32_t ties = ends_of(border.circle[0]);
-  if (!feet_stay_at(context_.geometry, *v, range)) return false;
-  if (ties > 0 && may_be_foot(context_, *v, forms, range) &&
-      meets_polar_cone(context_.geometry.solid(), *v,
-                       point_on(problem_.rect.axis, problem_.rect.level, box.u0, box.v0),
-                       point_on(problem_.rect.axis, problem_.rect.level, box.u1, box.v1))) {
+  const Circle& circle = border.circle[0];
+  const std::uint32_t ties = ends_of(circle);
+  const auto one_tree = [&]() -> bool {
+    if (ties == 0) return true;
     // Even with a single ray, two ties may be one arc, or meet in an event from which a rim starts.
-    if (ties > 1) return false;
-  } else if (ties == 1) {
-    return false;
-  } else if (ties > 3) {
+    if (apex->is_foot || ties == 1) return apex->is_foot && ties == 1;
+    if (ties <= 3) return true;
     // Intervals in different groups are of different regions: then the forest is one tree.
-    const auto runs = runs_of(border.circle[0], forms, feet);
-    if (!runs || !all_different(*runs) || !may_be_cluster(box, forms, feet, border.circle[0]))
-      return false;
-  }
+    const auto runs = runs_of(circle, forms, feet);
+    return runs && all_different(*runs) && may_be_cluster(box, forms, feet, circle);
+  };
+  if (context_.links_first || !one_tree())
+    return !context_.plain && accept_link(*apex, box, forms, feet, circle);
   context_.counts.rims += ties == 1;
-  record(border.circle[0], forms, feet, box, {}, ties == 1);
-  note(PartRecord::Kind::kCone, forms, *v);
+  record(circle, forms, feet, box, {}, ties == 1 ? Rims::kTips : Rims::kNone);
+  note(PartRecord::Kind::kCone, forms, apex->vertex);
   return true;
 }
 

@@ -108,6 +108,7 @@ void ProductionEngine::decide_clusters(const FaceProblem& problem, FaceDiagram& 
 
 void ProductionEngine::prefer_plain_reasons() { impl_->plain_first = true; }
 void ProductionEngine::prefer_slices() { impl_->context.slices_first = true; }
+void ProductionEngine::prefer_links() { impl_->context.links_first = true; }
 void ProductionEngine::stop_on(const std::atomic<bool>* stop) { impl_->context.stop = stop; }
 Predicates& ProductionEngine::predicates() { return impl_->context.predicates; }
 const EngineCounts& ProductionEngine::counts() const { return impl_->context.counts; }

@@ -31,6 +31,56 @@ std::vector<std::uint32_t> bounding_edges(const Solid& s, std::uint32_t vertex) 
   return edges;
 }
 
+/// Place of a triangle in triangles_at(vertex).
+std::uint32_t place_at(const Solid& s, std::uint32_t vertex, std::uint32_t triangle) {
+  const auto triangles = s.triangles_at(vertex);
+  return static_cast<std::uint32_t>(std::ranges::find(triangles, triangle) - triangles.begin());
+}
+
+/// Convex edges part the triangles at a vertex into chains.
+UnionFind chains_at(const Solid& s, std::uint32_t vertex) {
+  UnionFind chain;
+  chain.resize(static_cast<std::uint32_t>(s.triangles_at(vertex).size()));
+  for (const auto e : s.edges_at(vertex))
+    if (s.edge[e].kind != EdgeKind::kConvex)
+      chain.unite(place_at(s, vertex, s.edge[e].triangle[0]),
+                  place_at(s, vertex, s.edge[e].triangle[1]));
+  return chain;
+}
+
+std::uint32_t tip_of(const Solid& s, std::uint32_t vertex, std::uint32_t edge) {
+  const auto& ends = s.edge[edge].vertex;
+  return ends[0] == vertex ? ends[1] : ends[0];
+}
+
+/// Into how many parts does the plane of edges e and f, which touches the boundary near the vertex
+/// from outside, cut what it touches, faces and edges?
+std::uint32_t parts_in_plane(const Solid& s, std::uint32_t vertex, std::uint32_t e,
+                             std::uint32_t f) {
+  std::vector<std::uint32_t> tip;
+  for (const auto g : s.edges_at(vertex)) {
+    const auto t = tip_of(s, vertex, g);
+    if (g == e || g == f ||
+        exact::orient3d(s.point[vertex], s.point[tip_of(s, vertex, e)],
+                        s.point[tip_of(s, vertex, f)], s.point[t]) == 0)
+      tip.push_back(t);
+  }
+  const auto place = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::ranges::find(tip, v) - tip.begin());
+  };
+  UnionFind part;
+  part.resize(static_cast<std::uint32_t>(tip.size()));
+  for (const auto t : s.triangles_at(vertex)) {
+    std::vector<std::uint32_t> in_plane;
+    for (const auto v : s.triangle[t].vertex)
+      if (v != vertex && place(v) < tip.size()) in_plane.push_back(place(v));
+    if (in_plane.size() == 2) part.unite(in_plane[0], in_plane[1]);
+  }
+  std::uint32_t count = 0;
+  for (std::uint32_t k = 0; k < tip.size(); ++k) count += part.find(k) == k;
+  return count;
+}
+
 }  // namespace
 
 Predicates::FootCone Predicates::foot_cone(std::uint32_t vertex) const {
@@ -81,17 +131,10 @@ std::optional<Predicates::AxisAtVertex> Predicates::axis_at(std::uint32_t vertex
   const Solid& s = geometry_->solid();
   const bool wide = foot_cone(vertex) == FootCone::kWide;
   if (wide && s.vertex_degenerate[vertex]) return std::nullopt;
-  // Convex edges part the triangles at the vertex into chains.
   const auto triangles = s.triangles_at(vertex);
   const auto edges = s.edges_at(vertex);
-  UnionFind chain;
-  chain.resize(static_cast<std::uint32_t>(triangles.size()));
-  const auto place = [&](std::uint32_t t) {
-    return static_cast<std::uint32_t>(std::ranges::find(triangles, t) - triangles.begin());
-  };
-  for (const auto e : edges)
-    if (s.edge[e].kind != EdgeKind::kConvex)
-      chain.unite(place(s.edge[e].triangle[0]), place(s.edge[e].triangle[1]));
+  UnionFind chain = chains_at(s, vertex);
+  const auto place = [&](std::uint32_t t) { return place_at(s, vertex, t); };
 
   AxisAtVertex r;
   std::vector<bool> merges(triangles.size(), false);  // by the root of a chain
@@ -124,6 +167,52 @@ std::optional<Predicates::AxisAtVertex> Predicates::axis_at(std::uint32_t vertex
     r.tree[k] = n;
   }
   return r;
+}
+
+std::optional<Predicates::VertexLink> Predicates::vertex_link(std::uint32_t vertex) const {
+  const Solid& s = geometry_->solid();
+  const FootCone cone = foot_cone(vertex);
+  if (cone == FootCone::kRay || (cone == FootCone::kWide && s.vertex_degenerate[vertex]))
+    return std::nullopt;
+  VertexLink r;
+  UnionFind chain = chains_at(s, vertex);
+  const auto n = static_cast<std::uint32_t>(s.triangles_at(vertex).size());
+  std::vector<std::uint32_t> number(n, n);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    auto& c = number[chain.find(k)];
+    if (c == n) c = r.chains++;
+    r.chain.push_back(c);
+  }
+  r.merged.assign(r.chains, false);
+  if (cone == FootCone::kNone) return r;
+  const auto bounding = bounding_edges(s, vertex);
+  for (std::size_t k = 0; k < bounding.size(); ++k) {
+    const auto e = bounding[k], f = bounding[(k + 1) % bounding.size()];
+    r.merged[r.chain[place_at(s, vertex, s.edge[e].triangle[0])]] = true;
+    const auto parts = parts_in_plane(s, vertex, e, f);
+    if (parts > 2) return std::nullopt;
+    r.ray.push_back({{e, f}, parts == 2});
+  }
+  return r;
+}
+
+std::optional<bool> Predicates::passes(std::uint32_t vertex, const VertexLink::Ray& ray, int axis,
+                                       double level, const Point3& lo, const Point3& hi) {
+  const Solid& s = geometry_->solid();
+  const int forward =
+      side_of_line(axis, vertex, tip_of(s, vertex, ray.edge[0]), tip_of(s, vertex, ray.edge[1]));
+  if (forward != (level > s.point[vertex][axis] ? 1 : -1)) return false;
+  bool on_border = false;
+  for (int along = 0; along < 3; ++along) {
+    if (along == axis) continue;
+    const int
+        low = compare_rim(vertex, ray.edge[0], ray.edge[1], axis, level, along, lo[along]).value(),
+        high = compare_rim(vertex, ray.edge[0], ray.edge[1], axis, level, along, hi[along]).value();
+    if (low < 0 || high > 0) return false;
+    on_border |= low == 0 || high == 0;
+  }
+  if (on_border) return std::nullopt;
+  return true;
 }
 
 int Predicates::side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const {

@@ -244,6 +244,7 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
         break;
       case Kind::kExact:
       case Kind::kSlice:
+      case Kind::kLink:
         propose(propose, part, r);
         break;
     }

@@ -262,16 +262,20 @@ inline std::string coarse_map_difference(const FaceDiagram& p, const FaceDiagram
   const auto meet = [](const FaceNode& x, const FaceNode& y) {
     return x.u0 <= y.u1 && y.u0 <= x.u1 && x.v0 <= y.v1 && y.v0 <= x.v1;
   };
+  // Rims that production knows in one box only have one name.
+  const auto same_box = [](const FaceNode& x, const FaceNode& y) {
+    return x.u0 == y.u0 && x.u1 == y.u1 && x.v0 == y.v0 && x.v1 == y.v1;
+  };
   std::map<std::uint32_t, std::uint32_t> rim_name_p, rim_name_b;
   for (std::uint32_t k = 0; k < rims_b.size(); ++k) {
-    rim_name_b[rims_b[k]] = k;
-    bool found = false;
-    for (const auto n : rims_p)
-      if (!found && rim_name_p.count(n) == 0 && meet(p.node[n], b.node[rims_b[k]])) {
-        rim_name_p[n] = k;
-        found = true;
-      }
-    if (!found) return "place of a rim";
+    const auto n = std::ranges::find_if(rims_p, [&](auto i) {
+      return !rim_name_p.contains(i) && meet(p.node[i], b.node[rims_b[k]]);
+    });
+    if (n == rims_p.end()) return "place of a rim";
+    std::uint32_t name = k;
+    for (const auto& [other, known] : rim_name_p)
+      if (same_box(p.node[other], p.node[*n])) name = known;
+    rim_name_p[*n] = rim_name_b[rims_b[k]] = name;
   }
   struct Component {
     std::set<std::vector<std::uint32_t>> terminal;

@@ -18,7 +18,7 @@ struct Tally {
   int problems = 0, same = 0, both_bad = 0, production_gives_up = 0, brute_bad_only = 0,
       different = 0;
   int clusters = 0, rims = 0, events = 0, loops = 0, several_pieces = 0, skipped = 0, with_ties = 0;
-  int slices = 0;  // parts that production decided by Theorem S
+  int slices = 0, links = 0;  // parts that production decided by Theorem S, by chains at a vertex
   int rounded = 0, rounded_gives_up = 0;  // in solids whose facets are flat up to rounding only
   double production_s = 0, brute_s = 0;
   LabelSizes sizes;
@@ -45,10 +45,12 @@ inline double seconds() {
 
 inline constexpr std::size_t kMostCandidates = 22, kMostCurved = 8;  // for the oracle's patience
 
-/// Compares on one rectangle. `wide` gives production all candidates instead of the near ones;
-/// `slices`: by Theorem S wherever it may hold.
+/// What production asks first, wherever it may hold.
+enum class First { kUsual, kSlices, kLinks };
+
+/// Compares on one rectangle. `wide` gives production all candidates instead of the near ones.
 inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally,
-                    bool slices = false) {
+                    First first = First::kUsual) {
   const auto near = scene.near(r);
   if (near.size() > kMostCandidates || scene.curved(near) > kMostCurved) {
     ++tally.skipped;
@@ -61,7 +63,8 @@ inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally,
   const FaceProblem fast{scene.solid.get(), r, wide ? all : near, triangles};
   double t = seconds();
   ProductionEngine engine = scene.engine();
-  if (slices) engine.prefer_slices();
+  if (first == First::kSlices) engine.prefer_slices();
+  if (first == First::kLinks) engine.prefer_links();
   FaceDiagram p;
   try {
     p = engine.face(fast);
@@ -72,6 +75,7 @@ inline void compare(const Scene& scene, const Rect& r, bool wide, Tally& tally,
   }
   tally.production_s += seconds() - t;
   tally.slices += static_cast<int>(engine.counts().slices);
+  tally.links += static_cast<int>(engine.counts().links);
   t = seconds();
   if (std::getenv("BLUM_TRACE2") != nullptr)
     std::cout << near.size() << " candidates: " << describe(scene, r) << std::endl;

@@ -45,8 +45,8 @@ void run_catalogue(std::uint64_t seed, int rounds, Tally& tally) {
   Random random(seed);
   for (int round = 0; round < rounds; ++round)
     for (const Scene& scene : test::catalogue(random)) {
-      compare(scene, test::special_rect(random, scene), false, tally, true);
-      compare(scene, rect_at_edge(random, scene), false, tally, true);
+      compare(scene, test::special_rect(random, scene), false, tally, test::First::kSlices);
+      compare(scene, rect_at_edge(random, scene), false, tally, test::First::kSlices);
     }
   tally.print("slices of all scenes");
 }
@@ -61,7 +61,7 @@ void run_rows(std::uint64_t seed, int rectangles, std::size_t candidates, Tally&
         const Rect r = rect_at_edge(random, scene, 1e-3);
         const auto near = scene.near(r);
         if (near.size() > 1 && near.size() <= candidates && scene.curved(near) <= 4)
-          compare(scene, r, false, tally, true);
+          compare(scene, r, false, tally, test::First::kSlices);
       }
     }
   tally.print("slices of rows of slivers");

@@ -29,10 +29,11 @@ struct PartRecord {
     kFeet,     ///< Theorem D'' with groups by feet
     kChords,   ///< Theorem D', chords: by `between` and `parted`; groups by ties
     kFeetChords,
-    kCone,     ///< Theorem G about `vertex`
-    kRim,      ///< the rim of two edges at `vertex`
-    kExact,    ///< exact algebra
-    kSlice,    ///< Theorem S about `vertex`
+    kCone,   ///< Theorem G about `vertex`
+    kRim,    ///< the rim of two edges at `vertex`
+    kExact,  ///< exact algebra
+    kSlice,  ///< Theorem S about `vertex`
+    kLink,   ///< the chains at `vertex`
   };
   Kind kind = Kind::kOutside;
   double cut = 0;

@@ -28,6 +28,7 @@ namespace blum {
 struct EngineCounts {
   std::uint64_t segments = 0, faces = 0, boxes = 0, clusters = 0, rims = 0;
   std::uint64_t slices = 0;                            ///< parts by Theorem S (docs/proofs.md)
+  std::uint64_t links = 0;                             ///< parts by the chains at a vertex
   std::uint64_t exact_parts = 0, exact_stretches = 0;  ///< decided by exact algebra
 };
 
@@ -49,12 +50,11 @@ class ProductionEngine final : public DiagramEngine {
       const FaceProblem& problem,
       const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) override;
 
-  /// The same diagram, with the reasons for it in `parts`, which is empty before: all of them where it
-  /// is decided.
-  [[nodiscard]] FaceDiagram face(
-      const FaceProblem& problem,
-      const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
-      std::vector<PartRecord>& parts);
+  /// The same diagram, with the reasons for it in `parts`, which is empty before: all of them where
+  /// it is decided.
+  [[nodiscard]] FaceDiagram face(const FaceProblem& problem,
+                                 const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side,
+                                 std::vector<PartRecord>& parts);
 
   /// Sites of `candidates` that may govern a point inside the solid in [lo, hi] (closed box).
   /// `hint`: gives an upper bound on the distance from a point to ∂O, or is empty; bounds only
@@ -79,6 +79,9 @@ class ProductionEngine final : public DiagramEngine {
   /// From now on, Theorem S is tried first wherever it may hold, and not only where all else failed
   /// for long: slower, for tests of it.
   void prefer_slices();
+
+  /// From now on, the same for parts that see one vertex only, by its chains: for tests.
+  void prefer_links();
 
   /// From now on, work in progress and to come answers kUndecided ("stopped") soon after *stop
   /// becomes true. The flag must outlive the engine; null: none.

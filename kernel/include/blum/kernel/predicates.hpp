@@ -75,6 +75,30 @@ class Predicates {
   /// in a boundary cell" in docs/proofs.md.
   [[nodiscard]] std::optional<AxisAtVertex> axis_at(std::uint32_t vertex) const;
 
+  /// The boundary near a vertex as points see it that are near to nothing else: chains of triangles
+  /// between convex edges, and the cone of points whose foot is the vertex. See "The cone of a
+  /// vertex" in docs/proofs.md.
+  struct VertexLink {
+    std::uint32_t chains = 0;
+    std::vector<std::uint32_t> chain;  ///< of each of triangles_at(vertex)
+    std::vector<bool> merged;          ///< of each chain: does it bound the cone?
+    /// An extreme ray of the cone: the cross product of the directions of two edges at the vertex,
+    /// away from it.
+    struct Ray {
+      std::array<std::uint32_t, 2> edge{};
+      bool ends_axis = false;  ///< Does a sheet of the axis end there (else none does)?
+    };
+    std::vector<Ray> ray;
+  };
+  /// By exact signs. Without `merged` and `ray` if no point has the vertex as foot; nullopt if all
+  /// that have lie on a ray or in a plane, or if several sheets end on one ray.
+  [[nodiscard]] std::optional<VertexLink> vertex_link(std::uint32_t vertex) const;
+  /// Does the ray pass through the open rectangle x[axis] = level, lo < x < hi on the other axes?
+  /// Nullopt: through its border. Requires: the vertex is not in the plane.
+  [[nodiscard]] std::optional<bool> passes(std::uint32_t vertex, const VertexLink::Ray& ray,
+                                           int axis, double level, const Point3& lo,
+                                           const Point3& hi);
+
   /// Side of the projection of point p of the solid, along `axis`, of the projected directed line
   /// from point a to point b: positive on the left, in coordinates (u_axis, v_axis).
   [[nodiscard]] int side_of_line(int axis, std::uint32_t a, std::uint32_t b, std::uint32_t p) const;
