@@ -174,4 +174,13 @@ std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
   return std::max(most, *bound);
 }
 
+LeafBound least_bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
+                              const std::vector<LeafTriangle>& triangles, double target,
+                              double diameter) {
+  for (double most = target; most < diameter; most *= 2)
+    if (const auto bound = bound_in_leaf(tools, leaf, triangles, most))
+      return {*bound, *bound <= target};
+  return {diameter, diameter <= target};
+}
+
 }  // namespace blum
