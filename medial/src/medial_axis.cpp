@@ -105,8 +105,9 @@ bool any_undecided(const Subdivision& subdivision) {
 /// are not fine enough into halves.
 constexpr double kPartOfLeaf = 0.55, kPartOfPart = 0.9;
 /// What assembly and review of a finer subdivision may take, times what the last ones took:
-/// dividing ends early enough for both.
-constexpr double kReserve = 2.5;
+/// dividing ends early enough for both. But it gets this part of the time at least: the review of
+/// few large leaves says little of the next, and one that does not end spoils nothing.
+constexpr double kReserve = 2, kLeastShare = 0.4;
 
 /// Divides leaves until the review is content or the budget is out; a step that would leave
 /// something undecided is undone. Returns what the last review said.
@@ -130,7 +131,9 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
       return verdict;
     }
     before.reset();
-    const double left = watch.remaining_s() - kReserve * (time.assemble_s + review_s);
+    const double remaining = watch.remaining_s();
+    const double left =
+        std::max(remaining - kReserve * (time.assemble_s + review_s), kLeastShare * remaining);
     if (verdict.divide.empty() || undecided || !(left > 0) || watch.look() != Stop::kNone)
       return verdict;
     const auto middle = Clock::now();
