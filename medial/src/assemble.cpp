@@ -13,6 +13,7 @@
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/parallel.hpp"
 #include "blum/kernel/union_find.hpp"
+#include "blum/medial/leaf_complex.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
 #include "blum/subdivision/sided_face.hpp"
@@ -39,6 +40,13 @@ class Assembler {
         inside_wanted_(subdivision.side == VoronoiSide::kInside),
         subdivision_(subdivision),
         engines_(engines) {}
+  /// Of a subdivision that is one leaf: its whole surface, by one thread.
+  Assembler(const SiteGeometry& geometry, const Subdivision& leaf, EngineSet& engines, int thread)
+      : Assembler(geometry, leaf, engines) {
+    alone_ = true;
+    first_thread_ = thread;
+    threads_ = 1;
+  }
 
   Assembly run();
 
@@ -110,7 +118,7 @@ class Assembler {
   std::uint32_t add_vertex(const Placed& placed, ComplexVertex::Kind kind);
   [[nodiscard]] const Leaf& donor(const Interface& i) const;
   [[nodiscard]] Locator locator_of(int thread) {
-    return {geometry_, engines_.production(thread), engines_.inside()};
+    return {geometry_, engines_.production(first_thread_ + thread), engines_.inside()};
   }
 
   const SiteGeometry& geometry_;
@@ -118,6 +126,8 @@ class Assembler {
   const bool medial_, one_sided_, inside_wanted_;
   const Subdivision& subdivision_;
   EngineSet& engines_;
+  bool alone_ = false;  // the tree is one leaf
+  int first_thread_ = 0, threads_ = engines_.threads();
   std::vector<Interface> interface_;
   std::map<LineKey, std::vector<double>> line_;  // breakpoints of minimal interface edges
   using PartKey = std::tuple<LineKey, double>;   // a part, by its lower end
@@ -154,7 +164,7 @@ void Assembler::pair_cells() {
     stack.push_back(node.child + 1);
   }
   // Sheets of a Voronoi diagram end on the box around all, outside the solid.
-  if (!medial_ && !(one_sided_ && inside_wanted_))
+  if (alone_ || (!medial_ && !(one_sided_ && inside_wanted_)))
     for (int f = 0; f < 6; ++f) border_faces(0, f);
 }
 
@@ -200,7 +210,7 @@ void Assembler::pair_faces(std::uint32_t low, std::uint32_t high, const Rect& re
 }
 
 void Assembler::solve_interfaces() {
-  for_each_in_parallel(engines_.threads(), interface_.size(), [this](int thread, std::size_t k) {
+  for_each_in_parallel(threads_, interface_.size(), [this](int thread, std::size_t k) {
     Interface& i = interface_[k];
     if (!stopped()) solve_interface(i, thread);
   });
@@ -221,7 +231,8 @@ void Assembler::solve_interface(Interface& i, int thread) {
     i.diagram = high;
   } else {
     const Leaf& leaf = donor(i);
-    i.diagram = LocalDiagrams(engines_.diagrams(thread), solid_, leaf.candidates, border(leaf))
+    i.diagram = LocalDiagrams(engines_.diagrams(first_thread_ + thread), solid_, leaf.candidates,
+                              border(leaf))
                     .face(i.rect);
   }
   if (!i.decided()) return;
@@ -239,8 +250,8 @@ void Assembler::tell_sides(Interface& i, int thread) {
     i.sides.inside.assign(i.diagram->arc.size(), {inside_wanted_, inside_wanted_});
     return;
   }
-  i.sides = sided_face(engines_.production(thread).predicates(), engines_.inside(), *i.diagram,
-                       donor(i).triangles);
+  i.sides = sided_face(engines_.production(first_thread_ + thread).predicates(), engines_.inside(),
+                       *i.diagram, donor(i).triangles);
   i.told = i.sides.decided;
   if (!i.told) return;
   const Locator locator = locator_of(thread);
@@ -311,7 +322,7 @@ void Assembler::solve_ties() {
             tie_of_.try_emplace(key_of(part), static_cast<std::uint32_t>(tie_.size()));
         if (fresh) tie_.push_back({part, &i, false, {}, {}});
       });
-  for_each_in_parallel(engines_.threads(), tie_.size(), [this](int thread, std::size_t k) {
+  for_each_in_parallel(threads_, tie_.size(), [this](int thread, std::size_t k) {
     if (!stopped()) solve_ties_on(tie_[k], thread);
   });
   // What is dropped changes no other interface, so one pass is enough.
@@ -324,7 +335,8 @@ void Assembler::solve_ties() {
 
 void Assembler::solve_ties_on(EdgeTies& ties, int thread) {
   const Leaf& leaf = donor(*ties.asker);
-  LocalDiagrams diagrams(engines_.diagrams(thread), solid_, leaf.candidates, border(leaf));
+  LocalDiagrams diagrams(engines_.diagrams(first_thread_ + thread), solid_, leaf.candidates,
+                         border(leaf));
   diagrams.adopt(ties.asker->diagram);
   const SegmentAnswer a = diagrams.segment(ties.part);
   ties.decided = a.status == FaceStatus::kDecided;
@@ -710,6 +722,14 @@ Assembly Assembler::run() {
 Assembly assemble(const SiteGeometry& geometry, const Subdivision& subdivision,
                   EngineSet& engines) {
   return Assembler(geometry, subdivision, engines).run();
+}
+
+CellComplex leaf_complex(const SiteGeometry& geometry, const Leaf& leaf, EngineSet& engines,
+                         int thread) {
+  Subdivision alone;
+  alone.node.push_back({leaf.box});
+  alone.leaf.push_back(leaf);
+  return Assembler(geometry, alone, engines, thread).run().complex;
 }
 
 }  // namespace blum

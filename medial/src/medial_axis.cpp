@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "assemble.hpp"
@@ -15,6 +17,7 @@
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
 #include "blum/subdivision/local_diagrams.hpp"
+#include "blum/subdivision/refine.hpp"
 #include "blum/subdivision/sided_face.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
 #include "certificate.hpp"
@@ -99,27 +102,55 @@ bool any_undecided(const Subdivision& subdivision) {
                      [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
 }
 
-/// Leaves that a review finds too coarse are divided into parts of half their size.
-constexpr double kPartOfLeaf = 0.55;
+/// Leaves that a review finds too coarse are divided into parts of half their size, and parts that
+/// are not fine enough into halves.
+constexpr double kPartOfLeaf = 0.55, kPartOfPart = 0.9;
+/// What assembly and review of a finer subdivision may take, times what the last ones took:
+/// dividing ends early enough for both. But it gets this part of the time at least: the review of
+/// few large leaves says little of the next, and one that does not end spoils nothing.
+constexpr double kReserve = 2, kLeastShare = 0.4;
 
 /// Divides leaves until the review is content or the budget is out; a step that would leave
 /// something undecided is undone. Returns what the last review said.
 ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionOptions& options,
-                                EngineSet& engines, const AxisReview& review,
+                                EngineSet& engines, const AxisReview& review, double assemble_s,
                                 Subdivision& subdivision, Assembly& assembly) {
+  using Clock = std::chrono::steady_clock;
   const bool undecided = any_undecided(subdivision) || !assembly.undecided.empty();
+  RunWatch& watch = engines.watch();
+  StepTimes time{0, assemble_s};
+  std::optional<std::pair<Subdivision, Assembly>> before;
   for (;;) {
+    const auto begin = Clock::now();
     const Parts parts = read_parts(assembly.complex);
     ReviewVerdict verdict =
-        review({geometry, subdivision, engines, assembly.complex, parts, undecided});
-    if (verdict.divide.empty() || undecided) return verdict;
-    Result<Subdivision> finer =
-        refine(geometry, options, engines, subdivision, verdict.divide, kPartOfLeaf);
-    if (!finer || engines.watch().look() != Stop::kNone || any_undecided(finer.value()))
+        review({geometry, subdivision, engines, assembly.complex, parts, undecided, time});
+    const double review_s = seconds_since(begin);
+    if (verdict.go_back) {
+      BLUM_CHECK(before);
+      std::tie(subdivision, assembly) = std::move(*before);
       return verdict;
-    Assembly next = assemble(geometry, finer.value(), engines);
+    }
+    before.reset();
+    const double remaining = watch.remaining_s();
+    const double left =
+        std::max(remaining - kReserve * (time.assemble_s + review_s), kLeastShare * remaining);
+    if (verdict.divide.empty() || undecided || !(left > 0) || watch.look() != Stop::kNone)
+      return verdict;
+    const auto middle = Clock::now();
+    Refinement refinement{verdict.divide, kPartOfLeaf, verdict.fine_enough, kPartOfPart};
+    if (std::isfinite(left))
+      refinement.deadline =
+          middle + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
+    Result<Refined> finer = refine(geometry, options, engines, subdivision, refinement);
+    if (!finer || finer.value().divided == 0 || watch.look() != Stop::kNone) return verdict;
+    time.refine_s = seconds_since(middle);
+    const auto late = Clock::now();
+    Assembly next = assemble(geometry, finer.value().subdivision, engines);
     if (next.stopped || !next.undecided.empty()) return verdict;
-    subdivision = std::move(finer.value());
+    time.assemble_s = seconds_since(late);
+    before.emplace(std::move(subdivision), std::move(assembly));
+    subdivision = std::move(finer.value().subdivision);
     assembly = std::move(next);
   }
 }
@@ -174,7 +205,8 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.time.assemble_s = seconds_since(middle);
   std::optional<ReviewVerdict> verdict;
   if (review && !assembly.stopped)
-    verdict = review_and_refine(geometry, used, engines, review, subdivided.value(), assembly);
+    verdict = review_and_refine(geometry, used, engines, review, result.time.assemble_s,
+                                subdivided.value(), assembly);
   // Where the review has used up the time, what follows is about a complex that is there.
   if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();

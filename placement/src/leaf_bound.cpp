@@ -13,6 +13,7 @@ constexpr double kRounding = 1e-13;
 /// Boxes and triangles are not divided below this part of the target.
 constexpr double kFinest = 1.0 / 12;
 constexpr std::size_t kMostBoxes = 4'000'000;
+constexpr std::size_t kMostAnchors = 1'000;
 
 double radius_about(const Point3& center, const std::array<Point3, 3>& triangle) {
   double r = 0;
@@ -41,13 +42,22 @@ double distance_to(const std::array<Point3, 3>& triangle, const Point3& x) {
   return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
 }
 
+/// A point of the leaf that is certainly within a distance of the axis.
+struct Anchor {
+  Point3 point;
+  double distance = 0;
+};
+
 /// Largest distance from a triangle of the complex to the axis.
 class TriangleBound {
  public:
-  TriangleBound(BoundTools& tools, const LeafSides& leaf, double target)
+  /// Distances may go by way of the anchors.
+  TriangleBound(BoundTools& tools, const LeafSides& leaf, double target,
+                const std::vector<Anchor>& anchors)
       : tools_(tools),
         leaf_(leaf),
         target_(target),
+        anchors_(anchors),
         distance_(tools.geometry, tools.engine, tools.tree, tools.inside) {}
 
   std::optional<double> run(const LeafTriangle& t) {
@@ -84,6 +94,8 @@ class TriangleBound {
     if (const auto d = distance_.at_most(p, t.a, t.b)) best = *d;
     for (std::size_t k = 0; k < 3; ++k)
       if (t.on_rim[k]) best = std::min(best, distance_between(p, t.corner[k]));
+    for (const Anchor& a : anchors_)
+      best = std::min(best, distance_between(p, a.point) + a.distance);
     if (best < most) return best;
     if (const auto d = distance_.exactly_at_most(p, t.a, t.b, leaf_, most))
       return std::min(best, *d);
@@ -99,8 +111,23 @@ class TriangleBound {
   BoundTools& tools_;
   const LeafSides& leaf_;
   const double target_;
+  const std::vector<Anchor>& anchors_;
   AxisDistance distance_;
 };
+
+std::vector<Anchor> anchors_of(BoundTools& tools, const std::vector<LeafTriangle>& triangles) {
+  const AxisDistance distance(tools.geometry, tools.engine, tools.tree, tools.inside);
+  std::vector<Anchor> anchors;
+  for (const LeafTriangle& t : triangles) {
+    if (tools.stop || anchors.size() >= kMostAnchors) break;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (t.on_rim[k])
+        anchors.push_back({t.corner[k], 0});
+      else if (const auto d = distance.at_most(t.corner[k], t.a, t.b))
+        anchors.push_back({t.corner[k], *d});
+  }
+  return anchors;
+}
 
 struct Box {
   Box3 box;
@@ -158,11 +185,10 @@ std::optional<double> axis_bound(BoundTools& tools, const LeafSides& leaf,
   return most;
 }
 
-}  // namespace
-
-std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
-                                    const std::vector<LeafTriangle>& triangles, double target) {
-  TriangleBound from_triangles(tools, leaf, target);
+std::optional<double> bound_from(BoundTools& tools, const LeafSides& leaf,
+                                 const std::vector<LeafTriangle>& triangles, double target,
+                                 const std::vector<Anchor>& anchors) {
+  TriangleBound from_triangles(tools, leaf, target, anchors);
   double most = 0;
   for (const LeafTriangle& t : triangles) {
     const auto bound = from_triangles.run(t);
@@ -172,6 +198,25 @@ std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
   const auto bound = axis_bound(tools, leaf, triangles, target);
   if (!bound) return std::nullopt;
   return std::max(most, *bound);
+}
+
+}  // namespace
+
+std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
+                                    const std::vector<LeafTriangle>& triangles, double target) {
+  return bound_from(tools, leaf, triangles, target, {});
+}
+
+LeafBound least_bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
+                              const std::vector<LeafTriangle>& triangles, double target,
+                              double diameter) {
+  if (!(target < diameter)) return {diameter, diameter <= target};
+  if (const auto bound = bound_in_leaf(tools, leaf, triangles, target)) return {*bound, true};
+  const std::vector<Anchor> anchors = anchors_of(tools, triangles);
+  for (double most = 2 * target; most < diameter && !tools.stop; most *= 2)
+    if (const auto bound = bound_from(tools, leaf, triangles, most, anchors))
+      return {*bound, *bound <= target};
+  return {diameter, false};
 }
 
 }  // namespace blum

@@ -37,4 +37,15 @@ struct BoundTools {
                                                   const std::vector<LeafTriangle>& triangles,
                                                   double target);
 
+struct LeafBound {
+  double bound = 0;      ///< a certain one
+  bool reached = false;  ///< it is at most the target
+};
+
+/// bound_in_leaf for `target`; where that shows nothing, for twice the target and so on, distances
+/// by way of points whose own is known; until `diameter` of the leaf, which is always a bound.
+[[nodiscard]] LeafBound least_bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
+                                            const std::vector<LeafTriangle>& triangles,
+                                            double target, double diameter);
+
 }  // namespace blum

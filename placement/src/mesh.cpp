@@ -5,6 +5,7 @@
 
 #include "blum/kernel/check.hpp"
 #include "blum/kernel/closest_point.hpp"
+#include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "equal_distance.hpp"
 
@@ -41,7 +42,7 @@ class Mesher {
     };
     mesh_.complete = false;
     for (int round = 0; round < kMostRounds && !mesh_.complete && may_go_on(); ++round)
-      mesh_.complete = !halve_edges_longer_than(options.edge_length);
+      mesh_.complete = !halve_edges_longer_than(options.edge_length, options.threads);
     return std::move(mesh_);
   }
 
@@ -51,10 +52,15 @@ class Mesher {
     std::array<std::uint32_t, 2> edge{};  ///< towards the edge's vertex[0] and vertex[1]
   };
 
-  bool halve_edges_longer_than(double edge_length);
+  bool halve_edges_longer_than(double edge_length, int threads);
   void find_neighbours();
   [[nodiscard]] bool on_rim(std::uint32_t edge) const;
-  std::uint32_t add_middle(std::uint32_t edge);
+  struct Middle {
+    Point3 position;  ///< working frame
+    ComplexVertex vertex;
+    bool unconverged = false;
+  };
+  [[nodiscard]] Middle middle_of(std::uint32_t edge) const;
   std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const ComplexTriangle& in,
                          std::uint32_t origin);
   void divide(std::uint32_t triangle);
@@ -78,19 +84,28 @@ void Mesher::find_neighbours() {
     for (const auto e : mesh_.complex.triangle[t].edge) beside_[e].push_back(t);
 }
 
-bool Mesher::halve_edges_longer_than(double edge_length) {
+bool Mesher::halve_edges_longer_than(double edge_length, int threads) {
   find_neighbours();
   const auto edges = static_cast<std::uint32_t>(mesh_.complex.edge.size());
   const auto triangles = static_cast<std::uint32_t>(mesh_.complex.triangle.size());
   half_.assign(edges, {});
-  bool any = false;
+  std::vector<std::uint32_t> too_long;
   for (std::uint32_t e = 0; e < edges; ++e) {
     const auto [a, b] = mesh_.complex.edge[e].vertex;
-    if (!(distance_between(position_[a], position_[b]) > edge_length)) continue;
-    half_[e].vertex = add_middle(e);
-    any = true;
+    if (distance_between(position_[a], position_[b]) > edge_length) too_long.push_back(e);
   }
-  if (!any) return false;
+  if (too_long.empty()) return false;
+  std::vector<Middle> middles(too_long.size());
+  for_each_in_parallel(threads, too_long.size(),
+                       [&](int, std::size_t k) { middles[k] = middle_of(too_long[k]); });
+  for (std::size_t k = 0; k < too_long.size(); ++k) {
+    const auto e = too_long[k];
+    half_[e].vertex = static_cast<std::uint32_t>(position_.size());
+    position_.push_back(middles[k].position);
+    mesh_.vertex.push_back(mesh_.edge[e]);
+    mesh_.complex.vertex.push_back(std::move(middles[k].vertex));
+    mesh_.unconverged += middles[k].unconverged ? 1 : 0;
+  }
   for (std::uint32_t e = 0; e < edges; ++e) {
     if (half_[e].vertex == kNone) continue;
     ComplexEdge first = mesh_.complex.edge[e], second = first;
@@ -113,11 +128,12 @@ bool Mesher::on_rim(std::uint32_t edge) const {
   return vertex[e.vertex[0]].radius == 0 && vertex[e.vertex[1]].radius == 0;
 }
 
-std::uint32_t Mesher::add_middle(std::uint32_t edge) {
+Mesher::Middle Mesher::middle_of(std::uint32_t edge) const {
   const auto [a, b] = mesh_.complex.edge[edge].vertex;
   const CellOrigin origin = mesh_.edge[edge];
-  Point3 x = middle(position_[a], position_[b]);
-  ComplexVertex v;
+  Middle result{middle(position_[a], position_[b]), {}};
+  Point3& x = result.position;
+  ComplexVertex& v = result.vertex;
   v.kind = ComplexVertex::Kind::kMesh;
   if (on_rim(edge)) {
     v.on_axis = true;
@@ -151,7 +167,7 @@ std::uint32_t Mesher::add_middle(std::uint32_t edge) {
       v.radius = frame_.length_to_model(found->radius);
       v.governors = found->governors;
     } else {
-      ++mesh_.unconverged;
+      result.unconverged = true;
       const double radius = nearest_foot(geometry_, candidates, x).distance;
       v.radius = frame_.length_to_model(radius);
       for (const SiteId s : candidates)
@@ -159,10 +175,7 @@ std::uint32_t Mesher::add_middle(std::uint32_t edge) {
     }
   }
   v.position = frame_.to_model(x);
-  mesh_.complex.vertex.push_back(std::move(v));
-  mesh_.vertex.push_back(origin);
-  position_.push_back(x);
-  return static_cast<std::uint32_t>(position_.size() - 1);
+  return result;
 }
 
 std::uint32_t Mesher::add_edge(std::uint32_t a, std::uint32_t b, const ComplexTriangle& in,

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "equal_distance.hpp"
 
@@ -42,24 +43,35 @@ class Placer {
          const ConeSides& sides, CellComplex& complex)
       : geometry_(geometry), inside_(inside), parts_(parts), sides_(sides), complex_(complex) {}
 
-  PlacedPoints run() {
+  PlacedPoints run(int threads) {
     std::vector<std::vector<std::uint32_t>> of_cone(complex_.cone.size()),
         at(complex_.vertex.size());
     for (std::uint32_t t = 0; t < complex_.triangle.size(); ++t) {
       of_cone[complex_.triangle[t].cone].push_back(t);
       for (const auto v : corners(complex_, complex_.triangle[t])) at[v].push_back(t);
     }
-    PlacedPoints count;
+    struct Task {
+      std::uint32_t vertex;
+      const std::vector<std::uint32_t>* triangles;
+      bool is_apex;
+      std::optional<std::size_t> choice = {};
+    };
+    std::vector<Task> tasks;
     // Clusters of events on faces of leaves: these stay on their face.
     for (std::uint32_t v = 0; v < complex_.vertex.size(); ++v)
       if (!complex_.vertex[v].on_axis && complex_.vertex[v].kind != ComplexVertex::Kind::kCone &&
           !at[v].empty())
-        count.on_part += place(v, at[v]) ? 1 : 0;
-    for (std::uint32_t c = 0; c < complex_.cone.size(); ++c) {
-      if (complex_.cone[c].boundary_vertex != ComplexCone::kNone) continue;
-      if (const auto choice = place(complex_.cone[c].apex, of_cone[c]))
-        ++(*choice == 0 ? count.moved : count.on_part);
-    }
+        tasks.push_back({v, &at[v], false});
+    for (std::uint32_t c = 0; c < complex_.cone.size(); ++c)
+      if (complex_.cone[c].boundary_vertex == ComplexCone::kNone)
+        tasks.push_back({complex_.cone[c].apex, &of_cone[c], true});
+    // A task reads and writes no vertex but its own.
+    for_each_in_parallel(threads, tasks.size(), [&](int, std::size_t k) {
+      tasks[k].choice = place(tasks[k].vertex, *tasks[k].triangles);
+    });
+    PlacedPoints count;
+    for (const Task& task : tasks)
+      if (task.choice) ++(task.is_apex && *task.choice == 0 ? count.moved : count.on_part);
     for (const ComplexVertex& v : complex_.vertex) count.unconverged += v.on_axis ? 0 : 1;
     return count;
   }
@@ -106,8 +118,9 @@ class Placer {
 }  // namespace
 
 PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
-                          const Parts& parts, const ConeSides& sides, CellComplex& complex) {
-  return Placer(geometry, inside, parts, sides, complex).run();
+                          const Parts& parts, const ConeSides& sides, CellComplex& complex,
+                          int threads) {
+  return Placer(geometry, inside, parts, sides, complex).run(threads);
 }
 
 }  // namespace blum

@@ -22,9 +22,9 @@ struct PlacedPoints {
 /// Each apex goes to a point of its leaf that is equally far from all sides of the leaf (a point of
 /// its sheet, seam, junction or degenerate junction); where none is found, to one on a seam or a
 /// sheet over its base; else it stays. A cluster of events that is not on the axis goes to such a
-/// point on its leaves' common face. Other vertices stay.
+/// point on its leaves' common face. Other vertices stay. The same for any number of threads.
 [[nodiscard]] PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
                                         const Parts& parts, const ConeSides& sides,
-                                        CellComplex& complex);
+                                        CellComplex& complex, int threads);
 
 }  // namespace blum

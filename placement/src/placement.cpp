@@ -10,6 +10,8 @@
 #include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "leaf_bound.hpp"
+#include "leaf_triangles.hpp"
+#include "look_ahead.hpp"
 #include "place.hpp"
 
 namespace blum {
@@ -49,8 +51,11 @@ struct AxisPlacement::Impl {
 
   ReviewVerdict look(const AssembledAxis& axis);
   ReviewVerdict bound(const AssembledAxis& axis);
-  [[nodiscard]] std::vector<LeafTriangle> triangles_of(
-      const std::vector<std::uint32_t>& which) const;
+  [[nodiscard]] double target() const {
+    return solid.frame.length_to_working(options.epsilon) * (1 - kSlack);
+  }
+  [[nodiscard]] double edge_length() const;
+  [[nodiscard]] std::function<bool(const Leaf&, int)> look_ahead(const AssembledAxis& axis);
 
   const Solid& solid;
   const PlacementOptions options;
@@ -59,74 +64,95 @@ struct AxisPlacement::Impl {
   PlacementReport report;
   AxisMesh mesh;
   ConeSides sides;
-  std::map<LeafKey, double> known;  // bounds of leaves, working units
+  std::map<LeafKey, LeafBound> known;  // bounds of leaves, working units
+  std::vector<BoundTools> ahead;       // for look_ahead, by thread
+  const Clock since_start;
 };
+
+double AxisPlacement::Impl::edge_length() const {
+  if (options.edge_length > 0) return solid.frame.length_to_working(options.edge_length);
+  if (!(options.epsilon > 0)) return std::numeric_limits<double>::infinity();
+  return kEdge * std::sqrt(solid.frame.length_to_working(options.epsilon) *
+                           diameter(bounds_of(solid.point)));
+}
 
 ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   Clock clock;
+  // What was found before, in case that this review does not come to its end.
+  PlacementReport report_before = report;
+  AxisMesh mesh_before = std::move(mesh);
+  ConeSides sides_before = std::move(sides);
+  const int threads = axis.engines.threads();
   const auto& cone = axis.complex.cone;
-  sides.clear();
+  std::vector<std::size_t> first;  // cones of one leaf follow each other
   for (std::size_t c = 0; c < cone.size(); ++c)
-    sides.push_back(
-        c > 0 && cone[c].leaf == cone[c - 1].leaf
-            ? sides.back()
-            : std::make_shared<const LeafSides>(geometry, axis.subdivision.leaf[cone[c].leaf]));
+    if (c == 0 || cone[c].leaf != cone[c - 1].leaf) first.push_back(c);
+  sides.assign(cone.size(), nullptr);
+  for_each_in_parallel(threads, first.size(), [&](int, std::size_t k) {
+    const auto leaf =
+        std::make_shared<const LeafSides>(geometry, axis.subdivision.leaf[cone[first[k]].leaf]);
+    for (std::size_t c = first[k]; c < (k + 1 < first.size() ? first[k + 1] : cone.size()); ++c)
+      sides[c] = leaf;
+  });
   const InsideOracle& inside = axis.engines.inside();
-  const PlacedPoints placed = place_points(geometry, inside, axis.parts, sides, axis.complex);
-  report.place_s += clock.lap();
+  PlacementRound round;
+  round.leaves = axis.subdivision.leaf.size();
+  round.refine_s = axis.time.refine_s;
+  round.assemble_s = axis.time.assemble_s;
+  const PlacedPoints placed =
+      place_points(geometry, inside, axis.parts, sides, axis.complex, threads);
+  report.place_s += round.place_s = clock.lap();
   report.moved = placed.moved;
   report.on_part = placed.on_part;
-  const double edge = options.edge_length > 0
-                          ? solid.frame.length_to_working(options.edge_length)
-                          : kEdge * std::sqrt(solid.frame.length_to_working(options.epsilon) *
-                                              diameter(bounds_of(solid.point)));
-  mesh = mesh_of(geometry, inside, axis.complex, axis.parts, sides,
-                 {.edge_length = edge > 0 ? edge : std::numeric_limits<double>::infinity(),
-                  .stop = &axis.engines.watch().flag()});
+  mesh = mesh_of(
+      geometry, inside, axis.complex, axis.parts, sides,
+      {.edge_length = edge_length(), .stop = &axis.engines.watch().flag(), .threads = threads});
   report.unconverged = placed.unconverged + mesh.unconverged;
-  report.mesh_s += clock.lap();
-  ReviewVerdict verdict{{}, std::numeric_limits<double>::infinity()};
+  report.mesh_s += round.mesh_s = clock.lap();
+  ReviewVerdict verdict{{}, std::numeric_limits<double>::infinity(), {}};
   if (!axis.undecided) verdict = bound(axis);
-  report.bound_s += clock.lap();
-  report.bound = verdict.hausdorff_bound;
+  report.bound_s += round.bound_s = clock.lap();
+  round.bound = report.bound = verdict.hausdorff_bound;
+  round.failed = verdict.divide.size();
+  round.since_start_s = Clock(since_start).lap();
+  report.round.push_back(round);
   report.reached = !(options.epsilon > 0) || report.bound <= options.epsilon;
+  if (!report_before.round.empty() && axis.engines.watch().look() != Stop::kNone &&
+      report_before.bound <= report.bound) {
+    report_before.round = std::move(report.round);
+    report = std::move(report_before);
+    mesh = std::move(mesh_before);
+    sides = std::move(sides_before);
+    return {{}, report.bound, {}, true};
+  }
   report.rounds += verdict.divide.empty() ? 0 : 1;
+  if (!verdict.divide.empty()) verdict.fine_enough = look_ahead(axis);
   return verdict;
 }
 
-std::vector<LeafTriangle> AxisPlacement::Impl::triangles_of(
-    const std::vector<std::uint32_t>& which) const {
-  std::vector<LeafTriangle> list;
-  for (const auto t : which) {
-    const ComplexTriangle& triangle = mesh.complex.triangle[t];
-    LeafTriangle l;
-    const auto corner = corners(mesh.complex, triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const ComplexVertex& v = mesh.complex.vertex[corner[k]];
-      l.corner[k] = solid.frame.to_working(v.position);
-      l.on_rim[k] = v.on_axis && v.radius == 0;
-    }
-    const auto side = sides[triangle.cone]->sides_of(triangle.governors);
-    l.a = side.front();
-    l.b = side.back();
-    list.push_back(std::move(l));
-  }
-  return list;
+std::function<bool(const Leaf&, int)> AxisPlacement::Impl::look_ahead(const AssembledAxis& axis) {
+  EngineSet& engines = axis.engines;
+  ahead.clear();
+  for (int t = 0; t < engines.threads(); ++t)
+    ahead.push_back(
+        {geometry, engines.production(t), tree, engines.inside(), engines.watch().flag()});
+  return [this, &engines](const Leaf& leaf, int thread) {
+    return fine_enough(geometry, leaf, engines, thread, ahead[static_cast<std::size_t>(thread)],
+                       {target(), edge_length()});
+  };
 }
 
 ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
   const auto& leaves = axis.subdivision.leaf;
-  const double target = solid.frame.length_to_working(options.epsilon) * (1 - kSlack);
   std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // by leaf
   for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
     triangles[axis.complex.cone[mesh.complex.triangle[t].cone].leaf].push_back(t);
   struct Task {
     std::uint32_t leaf = 0;
     double diameter = 0;
-    std::optional<double> bound;
+    LeafBound bound;
     LeafKey key;
-    const LeafSides* sides = nullptr;
-    std::vector<LeafTriangle> triangles;
+    const std::vector<std::uint32_t>* triangles = nullptr;
   };
   std::vector<Task> tasks;
   double most = 0;
@@ -135,24 +161,12 @@ ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
     if (!leaves[l].has_axis) continue;
     const double size = diameter(leaves[l].box);
     const auto found = triangles.find(l);
-    if (!(options.epsilon > 0) || size <= target || found == triangles.end()) {
+    if (!(options.epsilon > 0) || size <= target() || found == triangles.end()) {
       most = std::max(most, size);
       ++report.leaves_by_diameter;
       continue;
     }
-    Task task;
-    task.leaf = l;
-    task.diameter = size;
-    task.sides = sides[mesh.complex.triangle[found->second.front()].cone].get();
-    task.triangles = triangles_of(found->second);
-    for (int k = 0; k < 3; ++k) {
-      task.key.push_back(leaves[l].box.lo[k]);
-      task.key.push_back(leaves[l].box.hi[k]);
-    }
-    for (const LeafTriangle& t : task.triangles)
-      for (const Point3& p : t.corner)
-        for (int k = 0; k < 3; ++k) task.key.push_back(p[k]);
-    tasks.push_back(std::move(task));
+    tasks.push_back({l, size, {}, {}, &found->second});
   }
   std::vector<BoundTools> tools;
   for (int t = 0; t < axis.engines.threads(); ++t)
@@ -160,25 +174,34 @@ ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
                      axis.engines.watch().flag()});
   for_each_in_parallel(axis.engines.threads(), tasks.size(), [&](int thread, std::size_t k) {
     Task& task = tasks[k];
-    if (const auto it = known.find(task.key); it != known.end())
-      task.bound = it->second;
-    else
-      task.bound = bound_in_leaf(tools[static_cast<std::size_t>(thread)], *task.sides,
-                                 task.triangles, target);
-  });
-  std::map<LeafKey, double> now;
-  ReviewVerdict verdict;
-  for (Task& task : tasks) {
-    if (task.bound) {
-      most = std::max(most, std::min(*task.bound, task.diameter));
-      now.emplace(std::move(task.key), *task.bound);
-    } else {
-      most = std::max(most, task.diameter);
-      ++report.leaves_by_diameter;
-      verdict.divide.push_back(task.leaf);
+    const LeafSides& of_leaf = *sides[mesh.complex.triangle[task.triangles->front()].cone];
+    const auto list = leaf_triangles(solid.frame, mesh, *task.triangles, of_leaf);
+    for (int i = 0; i < 3; ++i) {
+      task.key.push_back(of_leaf.box().lo[i]);
+      task.key.push_back(of_leaf.box().hi[i]);
     }
+    for (const LeafTriangle& t : list)
+      for (const Point3& p : t.corner)
+        for (int i = 0; i < 3; ++i) task.key.push_back(p[i]);
+    const auto it = known.find(task.key);
+    task.bound = it != known.end() ? it->second
+                                   : least_bound_in_leaf(tools[static_cast<std::size_t>(thread)],
+                                                         of_leaf, list, target(), task.diameter);
+  });
+  std::map<LeafKey, LeafBound> now;
+  std::vector<const Task*> failed;
+  for (Task& task : tasks) {
+    most = std::max(most, task.bound.bound);
+    if (!task.bound.reached) failed.push_back(&task);
+    if (task.bound.bound >= task.diameter) ++report.leaves_by_diameter;
+    now.emplace(std::move(task.key), task.bound);
   }
-  known = std::move(now);
+  // What was not looked at for want of time is not known.
+  if (!axis.engines.watch().flag()) known = std::move(now);
+  std::stable_sort(failed.begin(), failed.end(),
+                   [](const Task* a, const Task* b) { return a->bound.bound > b->bound.bound; });
+  ReviewVerdict verdict;
+  for (const Task* task : failed) verdict.divide.push_back(task->leaf);
   for (const BoundTools& t : tools) {
     report.boxes += t.boxes;
     report.points += t.points;

@@ -21,10 +21,22 @@ std::string line(const char* format, Values... values) {
 
 SummarySection placement_section(const PlacementReport& r, const AxisMesh& mesh, double diagonal) {
   const double percent = 100 * r.bound / diagonal;
+  Json rounds = Json::array();
+  for (const PlacementRound& round : r.round)
+    rounds.push_back({{"leaves", round.leaves},
+                      {"failed", round.failed},
+                      {"hausdorff_percent", 100 * round.bound / diagonal},
+                      {"since_start_s", round.since_start_s},
+                      {"refine_s", round.refine_s},
+                      {"assemble_s", round.assemble_s},
+                      {"place_s", round.place_s},
+                      {"mesh_s", round.mesh_s},
+                      {"bound_s", round.bound_s}});
   const Json json = {{"moved", r.moved},
                      {"on_part", r.on_part},
                      {"unconverged", r.unconverged},
                      {"rounds", r.rounds},
+                     {"reviews", rounds},
                      {"leaves_by_diameter", r.leaves_by_diameter},
                      {"boxes", r.boxes},
                      {"points", r.points},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 namespace blum {
 namespace {
@@ -68,6 +69,12 @@ Stop RunWatch::look() {
     flag_ = why_ != Stop::kNone;
   }
   return why_;
+}
+
+double RunWatch::remaining_s() {
+  const std::lock_guard lock(mutex_);
+  if (deadline_ == Clock::time_point::max()) return std::numeric_limits<double>::infinity();
+  return std::chrono::duration<double>(deadline_ - Clock::now()).count();
 }
 
 void RunWatch::stop(Stop why) {

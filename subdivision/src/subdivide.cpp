@@ -1,14 +1,9 @@
 #include "blum/subdivision/subdivision.hpp"
 
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
-#include <optional>
 
 #include "blum/kernel/parallel.hpp"
-#include "blum/kernel/point_algebra.hpp"
-#include "blum/subdivision/engine_set.hpp"
-#include "cell_work.hpp"
+#include "subdivider.hpp"
 
 namespace blum {
 
@@ -27,53 +22,6 @@ const char* undecided_reason_name(UndecidedReason reason) {
   }
   return "unknown";
 }
-
-namespace {
-
-double volume(const Box3& box) {
-  double v = 1;
-  for (int k = 0; k < 3; ++k) v *= box.hi[k] - box.lo[k];
-  return v;
-}
-
-/// The tree, and the cells that wait for a worker. Workers take the latest first: the tree is
-/// walked by depth, and few cells wait.
-class Subdivider {
- public:
-  Subdivider(const SiteGeometry& geometry, const SubdivisionOptions& options, EngineSet& engines)
-      : engines_(engines), work_{geometry, options, engines} {}
-
-  Result<Subdivision> run() {
-    add_root();
-    return finish();
-  }
-  Result<Subdivision> run(const Subdivision& coarse, std::span<const std::uint32_t> leaves,
-                          double fraction);
-
- private:
-  void add_root();
-  Result<Subdivision> finish();
-  void work(int thread);
-  /// Waits for a cell; nothing: there will be none.
-  [[nodiscard]] std::optional<Cell> take();
-  void put(const Cell& cell, CellOutcome outcome);
-  void close(const Cell& cell, Leaf leaf);
-  void open(const Cell& cell, Split split);
-  [[nodiscard]] Subdivision numbered();
-
-  EngineSet& engines_;
-  CellWork work_;
-  double root_volume_ = 1;
-
-  std::mutex mutex_;  // of all below
-  std::condition_variable changed_;
-  std::vector<Cell> stack_;
-  int busy_ = 0;
-  bool failed_ = false;
-  Subdivision result_;  // nodes and leaves in the order in which they came
-  std::size_t steps_ = 0;
-  double done_ = 0;
-};
 
 void Subdivider::add_root() {
   const Solid& solid = work_.geometry.solid();
@@ -99,6 +47,8 @@ std::optional<Cell> Subdivider::take() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return failed_ || !stack_.empty() || busy_ == 0; });
   if (failed_ || stack_.empty()) return std::nullopt;
+  if (refinement_ != nullptr && std::chrono::steady_clock::now() > refinement_->deadline)
+    return std::nullopt;
   Cell cell = std::move(stack_.back());
   stack_.pop_back();
   ++busy_;
@@ -117,6 +67,15 @@ void Subdivider::put(const Cell& cell, CellOutcome outcome) {
   lock.unlock();
   changed_.notify_all();
   if (tell) engines_.watch().report(progress);
+}
+
+void Subdivider::put_back(Cell cell) {
+  {
+    const std::lock_guard lock(mutex_);
+    stack_.push_back(std::move(cell));
+    --busy_;
+  }
+  changed_.notify_all();
 }
 
 void Subdivider::close(const Cell& cell, Leaf leaf) {
@@ -155,7 +114,10 @@ void Subdivider::work(int thread) {
             stop == Stop::kMemory ? UndecidedReason::kMemory : UndecidedReason::kTime;
         outcome = std::move(undecided);
       }
-      put(*cell, std::move(outcome));
+      if (auto again = to_divide(*cell, outcome, thread))
+        put_back(*std::move(again));
+      else
+        put(*cell, std::move(outcome));
     }
   } catch (...) {
     {
@@ -205,59 +167,31 @@ Subdivision Subdivider::numbered() {
   return r;
 }
 
-Result<Subdivision> Subdivider::run(const Subdivision& coarse,
-                                    std::span<const std::uint32_t> leaves, double fraction) {
-  add_root();
-  stack_.clear();
-  result_ = coarse;
-  work_.nodes = coarse.node.size();
-  std::vector<bool> again(coarse.leaf.size(), false);
-  for (const auto l : leaves) again[l] = true;
-  for (std::uint32_t n = 0; n < coarse.node.size(); ++n) {
-    const CellNode& node = coarse.node[n];
-    if (node.axis >= 0) continue;
-    const Leaf& leaf = coarse.leaf[node.leaf];
-    if (!again[node.leaf]) {
-      done_ += volume(leaf.box) / root_volume_;
-      continue;
-    }
-    Cell cell;
-    cell.node = n;
-    cell.box = leaf.box;
-    cell.depth = node.depth;
-    cell.largest_diameter = fraction * diameter(leaf.box);
-    cell.candidates = leaf.candidates;
-    cell.triangles = leaf.triangles;
-    cell.face = leaf.face;
-    stack_.push_back(std::move(cell));
-  }
-  return finish();
-}
-
-Result<Subdivision> Subdivider::finish() {
+std::optional<Error> Subdivider::work_on_all() {
   in_parallel(engines_.threads(), [this](int thread) { work(thread); });
   engines_.watch().rethrow();
-  const Stop stop = engines_.watch().look();
-  if (stop == Stop::kInterrupted)
-    return Error{ErrorCode::kInterrupted, "interrupted during subdivision", "", {}};
-  if (stop == Stop::kMemory)  // Numbering must not take more: nothing is assembled then.
-    for (Leaf& leaf : result_.leaf) leaf.face = {};
+  if (engines_.watch().look() != Stop::kInterrupted) return std::nullopt;
+  return Error{ErrorCode::kInterrupted, "interrupted during subdivision", "", {}};
+}
+
+Subdivision Subdivider::finished() {
   Subdivision subdivision = numbered();
   subdivision.stats.stages = engines_.stages();
   return subdivision;
 }
 
-}  // namespace
+Result<Subdivision> Subdivider::run() {
+  add_root();
+  if (auto interrupted = work_on_all()) return *interrupted;
+  if (engines_.watch().look() == Stop::kMemory)
+    // Numbering must not take more: nothing is assembled then.
+    for (Leaf& leaf : result_.leaf) leaf.face = {};
+  return finished();
+}
 
 Result<Subdivision> subdivide(const SiteGeometry& geometry, const SubdivisionOptions& options,
                               EngineSet& engines) {
   return Subdivider(geometry, options, engines).run();
-}
-
-Result<Subdivision> refine(const SiteGeometry& geometry, const SubdivisionOptions& options,
-                           EngineSet& engines, const Subdivision& coarse,
-                           std::span<const std::uint32_t> leaves, double fraction) {
-  return Subdivider(geometry, options, engines).run(coarse, leaves, fraction);
 }
 
 }  // namespace blum

@@ -36,6 +36,7 @@ struct MeshOptions {
   double edge_length = 0;                   ///< longest edge, working units; > 0
   std::size_t most_triangles = 4'000'000;   ///< no more halving beyond
   const std::atomic<bool>* stop = nullptr;  ///< nor after this has become true
+  int threads = 1;                          ///< the mesh does not depend on it
 };
 
 /// Halves edges until they are short. Seams and rims stay curves of the same parts. Points stay in

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "blum/kernel/solid.hpp"
 #include "blum/medial/medial_axis.hpp"
@@ -28,6 +29,16 @@ struct PlacementOptions {
   double edge_length = 0;
 };
 
+/// One review. Seconds.
+struct PlacementRound {
+  std::size_t leaves = 0;  ///< of the subdivision
+  std::size_t failed = 0;  ///< leaves whose bound is more than epsilon
+  double bound = 0;        ///< of all, model units
+  double since_start_s = 0;
+  /// Of this round. Dividing looks ahead: placement and bounds of the parts are in it.
+  double refine_s = 0, assemble_s = 0, place_s = 0, mesh_s = 0, bound_s = 0;
+};
+
 struct PlacementReport {
   std::size_t moved = 0;        ///< apexes on the sheet, seam or junction that they stand for
   std::size_t on_part = 0;      ///< points on the axis, but only on a part of what meets in them
@@ -35,6 +46,7 @@ struct PlacementReport {
   std::size_t rounds = 0;       ///< of dividing leaves
   std::size_t leaves_by_diameter = 0;  ///< whose bound is their diameter
   std::size_t boxes = 0, points = 0;   ///< looked at to find the bound, in all rounds
+  std::vector<PlacementRound> round;  ///< bound against time; the last may be one that was given up
   /// Two-sided, model units; infinite where a cell is undecided.
   double bound = std::numeric_limits<double>::infinity();
   bool reached = false;  ///< it is at most epsilon, or none was asked for

@@ -10,7 +10,9 @@
 
 namespace blum {
 
-/// "geometry": {"moved","on_part","unconverged","rounds","leaves_by_diameter","boxes","points",
+/// "geometry": {"moved","on_part","unconverged","rounds","reviews": [{"leaves","failed",
+/// "hausdorff_percent","since_start_s","refine_s","assemble_s","place_s","mesh_s","bound_s"}],
+/// "leaves_by_diameter","boxes","points",
 /// "hausdorff_bound","hausdorff_percent","epsilon_reached","mesh": {"complete","vertices","edges",
 /// "triangles"},"time_s": {"place","mesh","bound"}}; percents are of `diagonal`, model units.
 [[nodiscard]] SummarySection placement_section(const PlacementReport& report, const AxisMesh& mesh,

@@ -36,6 +36,9 @@ class RunWatch {
   /// Looks at clock and memory: should the run end, and why?
   Stop look();
 
+  /// Seconds to the time limit, negative after it; infinite where there is none.
+  [[nodiscard]] double remaining_s();
+
   /// How far the run is, at most as often as the worker likes. on_progress gets values that rise.
   void report(const Progress& progress);
 

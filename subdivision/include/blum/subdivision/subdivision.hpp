@@ -144,12 +144,4 @@ class EngineSet;
 [[nodiscard]] Result<Subdivision> subdivide(const SiteGeometry& geometry,
                                             const SubdivisionOptions& options, EngineSet& engines);
 
-/// `coarse` with the given leaves, which are accepted, divided until those of their parts that meet
-/// the axis have at most `fraction` of their diameter. All other leaves stay as they are; numbers
-/// of leaves change. What is undecided in the answer was certified before.
-[[nodiscard]] Result<Subdivision> refine(const SiteGeometry& geometry,
-                                         const SubdivisionOptions& options, EngineSet& engines,
-                                         const Subdivision& coarse,
-                                         std::span<const std::uint32_t> leaves, double fraction);
-
 }  // namespace blum
