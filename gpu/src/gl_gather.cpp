@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8, local_size_z = 8) in;
 layout(std430, binding = 0) readonly buffer Sites { vec4 texel[]; };
 layout(std430, binding = 1) readonly buffer Lists { uint place[]; };
 layout(std430, binding = 2) readonly buffer Blocks { uint block[]; };
-layout(std430, binding = 3) writeonly buffer Ids { uint nearest[]; };
+layout(std430, binding = 3) buffer Ids { uint nearest[]; };
+layout(std430, binding = 4) buffer Least { float least[]; };
 uniform uvec3 size;
 uniform uint slab;
 uniform vec3 origin, spacing;
@@ -23,8 +24,9 @@ void main() {
   uint first = block[b + 3u], count = block[b + 4u];
   if (any(greaterThanEqual(at, size))) return;
   vec3 x = origin + vec3(at) * spacing;
-  float best = 3.0e38;
-  uint owner = 0xffffffffu;
+  uint sample_at = at.x + size.x * (at.y + size.y * (at.z - slab));
+  float best = least[sample_at];
+  uint owner = nearest[sample_at];
   for (uint n = first; n < first + count; ++n) {
     uint t = 10u * place[n];
     vec4 base = texel[t], unit = texel[t + 1u];
@@ -42,13 +44,19 @@ void main() {
       owner = place[n];
     }
   }
-  nearest[at.x + size.x * (at.y + size.y * (at.z - slab))] = owner;
+  nearest[sample_at] = owner;
+  least[sample_at] = best;
 })";
+
+constexpr float kFar = 3.0e38F;
+/// Sites that one invocation looks at: llvmpipe leaves all loops of a shader after 65,535 rounds in
+/// sum, without a word, and a site costs one and one for each of its conditions.
+constexpr std::uint32_t kMostPlaces = 65'535 / 2 / (1 + kMostConditions);
 
 class Buffers {
  public:
-  explicit Buffers(const GladGLContext& gl) : gl_(gl) { gl_.GenBuffers(4, names_); }
-  ~Buffers() { gl_.DeleteBuffers(4, names_); }
+  explicit Buffers(const GladGLContext& gl) : gl_(gl) { gl_.GenBuffers(5, names_); }
+  ~Buffers() { gl_.DeleteBuffers(5, names_); }
   Buffers(const Buffers&) = delete;
   Buffers& operator=(const Buffers&) = delete;
 
@@ -66,7 +74,7 @@ class Buffers {
 
  private:
   const GladGLContext& gl_;
-  GLuint names_[4] = {0, 0, 0, 0};
+  GLuint names_[5] = {0, 0, 0, 0, 0};
 };
 
 /// A slab's blocks of 8 x 8 x 8 samples: where each begins, and its part of the lists.
@@ -95,6 +103,16 @@ Work work_of(std::span<const CullTile> tiles, const GlJob& job) {
   // Buffers of no size cannot be bound.
   if (work.lists.empty()) work.lists.push_back(0);
   return work;
+}
+
+/// The blocks with more places than have been looked at, with the next of these.
+std::vector<std::uint32_t> after(std::span<const std::uint32_t> blocks, std::uint32_t passed) {
+  std::vector<std::uint32_t> rest;
+  for (; !blocks.empty(); blocks = blocks.subspan(5))
+    if (blocks[4] > passed)
+      rest.insert(rest.end(), {blocks[0], blocks[1], blocks[2], blocks[3] + passed,
+                               std::min(blocks[4] - passed, kMostPlaces)});
+  return rest;
 }
 
 }  // namespace
@@ -148,15 +166,22 @@ bool gather(GlContext& context, GlJob& job, std::string& problem, const UsePropo
     }
     buffers.fill(1, work.lists);
     buffers.fill(3, nearest);
+    buffers.fill(4, std::vector<float>(nearest.size(), kFar));
     gl.Uniform1ui(place("slab"), slab);
     const std::size_t blocks = work.blocks.size() / 5;
-    for (std::size_t b = 0; b < blocks;) {
-      const std::size_t n = std::min(blocks - b, static_cast<std::size_t>(most_groups));
-      buffers.fill(2, std::vector<std::uint32_t>(
-                          work.blocks.begin() + static_cast<std::ptrdiff_t>(5 * b),
-                          work.blocks.begin() + static_cast<std::ptrdiff_t>(5 * (b + n))));
-      gl.DispatchCompute(static_cast<GLuint>(n), 1, 1);
-      b += n;
+    for (std::uint32_t passed = 0;; passed += kMostPlaces) {
+      const std::vector<std::uint32_t> rest = after(work.blocks, passed);
+      if (rest.empty()) break;
+      for (std::size_t b = 0; b < rest.size();) {
+        const std::size_t n =
+            std::min((rest.size() - b) / 5, static_cast<std::size_t>(most_groups));
+        buffers.fill(
+            2, std::vector<std::uint32_t>(rest.begin() + static_cast<std::ptrdiff_t>(b),
+                                          rest.begin() + static_cast<std::ptrdiff_t>(b + 5 * n)));
+        gl.DispatchCompute(static_cast<GLuint>(n), 1, 1);
+        b += 5 * n;
+      }
+      gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     buffers.read(3, nearest);
