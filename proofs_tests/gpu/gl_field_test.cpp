@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <random>
 #include <thread>
 
 #include "blum/gpu/field.hpp"
@@ -174,6 +176,31 @@ TEST_P(GlField, ABand_KeepsWhatIsWithin) {
     }
     EXPECT_GT(kept, 200u);
   });
+}
+
+/// llvmpipe leaves a shader's loops after 65,535 rounds: scans of 100,000 triangles came out wrong.
+TEST_P(GlField, MoreSitesABlockThanRoundsOfALoop_AreAllLookedAt) {
+  if (!gathers_) GTEST_SKIP() << "no gather";
+  const VoxelGrid grid{{8, 8, 2}, {-0.002, -0.002, -0.0005}, {0.0005, 0.0005, 0.0005}};
+  FieldOptions o;
+  o.backend = GetParam();
+  o.method = FieldMethod::kGather;
+  // Segments on a sphere, the first of them nearer than the others, somewhere in the list.
+  std::mt19937 random(11);
+  std::normal_distribution<> normal;
+  for (int trial = 0; trial < 4; ++trial) {
+    Soup soup;
+    for (std::uint32_t k = 0; k < 30'000; ++k) {
+      Point3 p{normal(random), normal(random), normal(random)};
+      const double scale = (k == 0 ? 0.997 : 1) / std::hypot(p.x, p.y, p.z);
+      for (int j = 0; j < 3; ++j) p[j] *= scale;
+      soup.points.push_back(p);
+      soup.points.push_back({p.x - 0.001 * p.y, p.y + 0.001 * p.x, p.z});
+      soup.segments.push_back({2 * k, 2 * k + 1});
+    }
+    const SiteSet sites = sites_of(soup);
+    expect_within_regret(sites, grid, o, brute_of(sites, grid));
+  }
 }
 
 TEST_P(GlField, SeveralContexts_WorkAtOnce) {
