@@ -115,6 +115,8 @@ bool VoronoiCell::pieces_are_separate() {
   return std::ranges::all_of(known, [](const auto& p) { return p.second; });
 }
 
+/// On the whole closed faces that the piece meets: so none of them meets the site itself, where the
+/// inequality would not be strict.
 bool VoronoiCell::flow_only_enters(std::uint32_t piece) {
   for (int f = 0; f < 6; ++f)
     for (std::uint32_t i = 0; i < face_[f]->region.size(); ++i)
