@@ -51,6 +51,33 @@ const Predicates::VertexLink::Ray* ray_over(const Solid& solid, const Predicates
   return nullptr;
 }
 
+/// The last edge at the vertex, from one of the two edges of an extreme ray on, that triangles
+/// orthogonal to the ray link: there the gap begins in which a sheet ends.
+std::uint32_t beside_gap(EngineContext& context, std::uint32_t vertex,
+                         const Predicates::VertexLink::Ray& ray, std::uint32_t edge) {
+  const Solid& solid = context.geometry.solid();
+  const SiteIndex& index = context.geometry.index();
+  std::optional<std::uint32_t> last;
+  for (bool found = true; found;) {
+    found = false;
+    for (const auto t : solid.edge[edge].triangle) {
+      if (t == last) continue;
+      for (const auto other : solid.triangle[t].edge) {
+        const auto& ends = solid.edge[other].vertex;
+        const std::array in_plane{index.edge(other)};
+        if (found || other == edge || (ends[0] != vertex && ends[1] != vertex) ||
+            !context.predicates.rim_common(vertex, ray.edge[0], ray.edge[1], in_plane))
+          continue;
+        found = true;
+        last = t;
+        edge = other;
+      }
+      if (found) break;
+    }
+  }
+  return edge;
+}
+
 }  // namespace
 
 std::optional<std::vector<Predicates::VertexLink::Ray>> FaceEngine::ends_on_cone(const Apex& apex,
@@ -98,7 +125,12 @@ std::vector<FaceEngine::Shown> FaceEngine::shown_on(const Circle& circle, const 
 FaceEngine::Tip FaceEngine::tip_of(const Predicates::VertexLink::Ray& ray,
                                    std::uint32_t run) const {
   const SiteIndex& index = context_.geometry.index();
-  return {run, {index.edge(ray.edge[0]), index.edge(ray.edge[1])}};
+  const auto& edges = context_.geometry.solid().edge;
+  const auto &e = edges[ray.edge[0]].vertex, &f = edges[ray.edge[1]].vertex;
+  const auto vertex = e[0] == f[0] || e[0] == f[1] ? e[0] : e[1];
+  return {run,
+          {index.edge(beside_gap(context_, vertex, ray, ray.edge[0])),
+           index.edge(beside_gap(context_, vertex, ray, ray.edge[1]))}};
 }
 
 std::optional<std::vector<FaceEngine::Tip>> FaceEngine::tips_of(
@@ -151,7 +183,7 @@ bool FaceEngine::accept_link(const Apex& apex, const Box& box, std::span<const L
 
   const std::uint32_t ties = ends_of(circle);
   const auto ends = static_cast<std::uint32_t>(rays->size());
-  if (ties == 0 ? ends > 0 : ties + ends == 1) return false;  // something is not as thought
+  if (ends > ties || ties + ends == 1) return false;  // something is not as thought
   const auto runs = ties == 1 ? std::vector<std::uint32_t>(1) : runs_of(circle, forms, regions);
   if (!runs) return false;
   const std::vector<Shown> shown = shown_on(circle, apex);
@@ -180,12 +212,7 @@ bool FaceEngine::accept_link(const Apex& apex, const Box& box, std::span<const L
       tips = std::move(*found);
     }
   } else {
-    // Only intervals beside the cone are of one region: those that meet it.
-    if (!apex.is_foot || ends > 0 || different + beside.size() != ties + 1 ||
-        !std::ranges::all_of(beside,
-                             [&](auto k) { return shown[k].vertex || shown[k].chain.size() > 1; }))
-      return false;
-    region = *runs;
+    return false;
   }
   if (!region.empty() && trees_of(region).size() != ties + 1 - different) return false;
   std::size_t most_ends = region.empty() ? ties + ends : 0;
