@@ -166,11 +166,14 @@ def betti_numbers(mesh):
         characteristic = len(vertices) - sum(map(len, faces)) // 2 + len(faces)
         genus += (2 - characteristic) // 2
         flat = triangles(points, faces)
-        origin = points[faces[0][0]]
-        scene.append((sum(volume(origin, *t) for t in flat), origin, flat))
+        corners = [points[v] for v in sorted(vertices)]
+        scene.append((sum(volume(corners[0], *t) for t in flat), corners, flat))
     rng = random.Random(1)
-    for i, (signed, origin, _) in enumerate(scene):
-        depth = [is_inside(origin, other[2], rng) for j, other in enumerate(scene) if j != i]
+    for i, (signed, corners, _) in enumerate(scene):
+        # A corner may lie in a fan's triangle beyond the polygon: then the next may tell.
+        depth = [next((inside for corner in corners
+                       if (inside := is_inside(corner, other[2], rng)) is not None), None)
+                 for j, other in enumerate(scene) if j != i]
         if None in depth or signed == 0 or (signed > 0) != (sum(depth) % 2 == 0):
             return None
     outer = sum(signed > 0 for signed, _, _ in scene)
