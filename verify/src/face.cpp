@@ -389,13 +389,7 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
-    try {
-      check_star(part, shared, border, claim);
-    } catch (const Failure& failure) {
-      if (!claim.proposed) throw;
-      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
-                    failure.what());
-    }
+    check_star(part, shared, border, claim);
   } else {
     require(border.size() == 1 &&
                 std::ranges::none_of(border[0],
@@ -426,7 +420,15 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
 void FaceChecker::check(Box box) {
   require(next_part_ < parts_.size(), "face: parts are missing");
   const PartNode& node = parts_[next_part_++];
-  if (node.axis < 0) return check_part(box, node.claim);
+  if (node.axis < 0) {
+    try {
+      return check_part(box, node.claim);
+    } catch (const Failure& failure) {
+      if (!node.claim.proposed) throw;
+      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
+                    failure.what());
+    }
+  }
   const bool along_u = node.axis == 0;
   const Rect& r = box.rect;
   const double m = node.cut;
