@@ -36,8 +36,12 @@ class FlowJoins {
     if (!std::ranges::all_of(surface_.arcs(),
                              [&](const auto& a) { return joined_.find(a[0]) == first; }))
       return false;
-    return std::ranges::all_of(several_, [&](SiteId s) { return parts_traces(s, first); });
+    return !chains_ ||
+           std::ranges::all_of(several_, [&](SiteId s) { return parts_traces(s, first); });
   }
+
+  /// After run(): are there regions that `chains` would add?
+  [[nodiscard]] bool chains_matter() const { return !several_.empty(); }
 
  private:
   static constexpr std::array kSides{1, -1};
@@ -62,8 +66,9 @@ class FlowJoins {
       // A site within the cell draws all of its region in: that is contractible anyway.
       const bool all = place.place == Place::kWithin;
       if (place.place == Place::kMeets && !place.simple()) {
-        if (!chains_ || place.traces == 0 || !is_face(site)) continue;
+        if (place.traces == 0 || !is_face(site)) continue;
         if (std::ranges::find(several_, site) == several_.end()) several_.push_back(site);
+        if (!chains_) continue;
       }
       if (!all && is_face(site)) {
         const Ball n = geometry_.unit(site)[d.rect.axis] * Ball(outward);
@@ -175,7 +180,7 @@ class FlowJoins {
   const VoronoiSurface::Faces& face_;
   const std::function<SitePlace(SiteId)>& place_;
   const bool chains_;
-  std::vector<SiteId> several_;  // triangles with several traces whose regions are used
+  std::vector<SiteId> several_;  // triangles with several traces
   std::vector<bool> closed_;     // halves
   UnionFind joined_;             // nodes, halves, traces
   std::unordered_map<std::uint32_t, std::uint32_t> trace_;
@@ -186,8 +191,9 @@ class FlowJoins {
 bool joined_by_flow(const SiteGeometry& geometry, VoronoiSurface& surface,
                     const VoronoiSurface::Faces& face,
                     const std::function<SitePlace(SiteId)>& place) {
-  return FlowJoins(geometry, surface, face, place, false).run() ||
-         FlowJoins(geometry, surface, face, place, true).run();
+  FlowJoins plain(geometry, surface, face, place, false);
+  return plain.run() ||
+         (plain.chains_matter() && FlowJoins(geometry, surface, face, place, true).run());
 }
 
 }  // namespace blum
