@@ -187,6 +187,24 @@ class FaceEngine {
   [[nodiscard]] static bool separates(const Step& s) {
     return s.kind == Step::Kind::kTie || s.kind == Step::Kind::kConvexEdge;
   }
+  /// Along a circle, from just behind a separator if it has one: at_separator(step), and
+  /// at_label(step, fresh) for the others, fresh at the first of an interval.
+  template <class AtSeparator, class AtLabel>
+  static void walk(const Circle& circle, AtSeparator at_separator, AtLabel at_label) {
+    const std::size_t n = circle.size();
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      if (separates(circle[i])) start = i;
+    bool fresh = true;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Step& s = circle[(start + k) % n];
+      if (separates(s))
+        at_separator(s);
+      else
+        at_label(s, fresh);
+      fresh = separates(s);
+    }
+  }
   /// Labels the regions along a circle, and makes them one component.
   [[nodiscard]] Sequence label_circle(const Circle& circle, std::span<const LocalForm> forms,
                                       const Groups& feet);

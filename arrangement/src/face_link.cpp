@@ -97,28 +97,19 @@ std::optional<std::vector<Predicates::VertexLink::Ray>> FaceEngine::ends_on_cone
 
 std::vector<FaceEngine::Shown> FaceEngine::shown_on(const Circle& circle, const Apex& apex) {
   const Predicates::VertexLink& link = *context_.vertex_link(apex.vertex);
-  const std::size_t n = circle.size();
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (separates(circle[i])) start = i;
   std::vector<Shown> shown;
-  bool fresh = true;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (separates(s)) {
-      fresh = true;
-      continue;
-    }
-    if (fresh) shown.emplace_back();
-    fresh = false;
-    if (context_.geometry.index().kind(s.label) == SiteKind::kVertex) {
-      shown.back().vertex = true;
-      continue;
-    }
-    auto& chains = shown.back().chain;
-    const auto c = chain_of(context_.geometry, link, apex.vertex, s.label);
-    if (std::ranges::find(chains, c) == chains.end()) chains.push_back(c);
-  }
+  walk(
+      circle, [](const Step&) {},
+      [&](const Step& s, bool fresh) {
+        if (fresh) shown.emplace_back();
+        if (context_.geometry.index().kind(s.label) == SiteKind::kVertex) {
+          shown.back().vertex = true;
+          return;
+        }
+        auto& chains = shown.back().chain;
+        const auto c = chain_of(context_.geometry, link, apex.vertex, s.label);
+        if (std::ranges::find(chains, c) == chains.end()) chains.push_back(c);
+      });
   return shown;
 }
 

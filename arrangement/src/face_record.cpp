@@ -10,26 +10,16 @@ namespace blum {
 FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
                                               std::span<const LocalForm> forms,
                                               const Groups& feet) {
-  // Rotate so that the walk starts just after a separator, if there is one.
-  const std::size_t n = circle.size();
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (separates(circle[i])) start = i;
   Sequence r;
   std::vector<SiteId> labels;
-  std::uint32_t run = Breakpoint::kNone;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (separates(s)) {
-      run = Breakpoint::kNone;
-      const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
-      const auto& g = nodes_[node].node.governors;
-      r.end.push_back({node, g.front(), g.back()});
-      continue;
-    }
+  const auto at_separator = [&](const Step& s) {
+    const auto node = s.kind == Step::Kind::kTie ? s.id : convex_node(s.id);
+    const auto& g = nodes_[node].node.governors;
+    r.end.push_back({node, g.front(), g.back()});
+  };
+  walk(circle, at_separator, [&](const Step& s, bool fresh) {
     const auto element = s.kind == Step::Kind::kInterval ? s.id : trace_element(s.id);
-    if (run == Breakpoint::kNone) {
-      run = element;
+    if (fresh) {
       r.run.push_back({element, s.label});
       // Feet are continuous in a region, so its governors share feet, one with the next.
       labels.clear();
@@ -38,9 +28,9 @@ FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
         if (feet.of[i] == group) labels.push_back(forms[i].site);
       label_element(element, labels);
     }
-    region_.unite(run, element);
+    region_.unite(r.run.back().element, element);
     component_.unite(r.run.front().element, element);
-  }
+  });
   for (const Sequence::End& e : r.end) nodes_[e.node].element = r.run.front().element;
   return r;
 }
@@ -48,29 +38,18 @@ FaceEngine::Sequence FaceEngine::label_circle(const Circle& circle,
 std::optional<std::vector<std::uint32_t>> FaceEngine::runs_of(const Circle& circle,
                                                               std::span<const LocalForm> forms,
                                                               const Groups& groups) {
-  const std::size_t n = circle.size();
-  std::size_t start = 0, separators = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (separates(circle[i])) {
-      start = i;
-      ++separators;
-    }
   std::vector<std::uint32_t> run;
-  bool fresh = true;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Step& s = circle[(start + k) % n];
-    if (separates(s)) {
-      fresh = true;
-      continue;
-    }
-    const auto g = groups.find(forms, s.label);
-    BLUM_CHECK(g < groups.count);
-    if (fresh)
-      run.push_back(g);
-    else if (g != run.back())
-      return std::nullopt;  // separators lie between groups
-    fresh = false;
-  }
+  std::size_t separators = 0;
+  bool apart = true;  // separators lie between groups
+  walk(
+      circle, [&](const Step&) { ++separators; },
+      [&](const Step& s, bool fresh) {
+        const auto g = groups.find(forms, s.label);
+        BLUM_CHECK(g < groups.count);
+        if (fresh) run.push_back(g);
+        apart = apart && g == run.back();
+      });
+  if (!apart) return std::nullopt;
   if (separators > 0 && (separators != run.size() || run.size() < 2)) return std::nullopt;
   return run;
 }
