@@ -192,7 +192,6 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (certificate) {
     used.cuts = false;
     used.split_vertices = false;
-    used.tubes = false;
     engines.prefer_plain_reasons();
   }
   Result<Subdivision> subdivided = subdivide(geometry, used, engines);

@@ -3,6 +3,7 @@
 
 #include "blum/medial/parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -103,6 +104,7 @@ std::vector<bool> first_of_rings(const CellComplex& complex) {
 /// Seams that end in a ring: spokes to its first apex that three sheets or more have in common.
 void find_seams_at_rings(const CellComplex& complex, const std::vector<bool>& ringed,
                          std::vector<bool>& is_seam) {
+  if (std::ranges::find(ringed, true) == ringed.end()) return;
   std::vector<std::uint32_t> sheets(complex.edge.size(), 0);
   for (const ComplexTriangle& t : complex.triangle)
     for (const auto e : t.edge) ++sheets[e];

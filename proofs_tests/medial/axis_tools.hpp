@@ -32,9 +32,16 @@ inline std::string difference(const CellComplex& a, const CellComplex& b) {
       return "triangle " + std::to_string(k);
   for (std::size_t k = 0; k < a.cone.size(); ++k)
     if (a.cone[k].leaf != b.cone[k].leaf || a.cone[k].apex != b.cone[k].apex ||
-        a.cone[k].boundary_vertex != b.cone[k].boundary_vertex)
+        a.cone[k].boundary_vertex != b.cone[k].boundary_vertex || a.cone[k].ring != b.cone[k].ring)
       return "cone " + std::to_string(k);
   return "";
+}
+
+/// Requires: no error.
+inline MedialResult voronoi_of(const Solid& solid, const MedialOptions& options) {
+  auto r = compute_voronoi_diagram(solid, options);
+  if (!r) throw std::runtime_error(r.error().message);
+  return std::move(r).value();
 }
 
 /// True distances times factors >= 1, the same for the same point; now and then nothing is known.
