@@ -11,6 +11,9 @@ foreach(module IN LISTS modules)
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 endforeach()
 install(TARGETS blum_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET blum_vdb)
+  install(TARGETS blum_vdb LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 
 install(EXPORT blum_targets NAMESPACE blum:: FILE blum_targets.cmake DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/blum-config.cmake.in

@@ -1,12 +1,9 @@
 #include "field_vdb.hpp"
 
 #ifdef BLUM_HAS_OPENVDB
-#include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
+#include <dlfcn.h>
 
-#include <cmath>
-#include <sstream>
-
+#include "../vdb/vdb_bytes.hpp"
 #include "blum/kernel/output_files.hpp"
 #include "blum/kernel/output_stream.hpp"
 #endif
@@ -15,46 +12,27 @@ namespace blum::app {
 namespace {
 
 #ifdef BLUM_HAS_OPENVDB
-template <class Grid>
-typename Grid::Ptr grid_of(const FieldImage& image, const char* name,
-                           typename Grid::ValueType background) {
-  const Point3 &origin = image.grid.origin, &spacing = image.grid.spacing;
-  typename Grid::Ptr grid = Grid::create(background);
-  grid->setName(name);
-  grid->setTransform(
-      std::make_shared<openvdb::math::Transform>(std::make_shared<openvdb::math::ScaleTranslateMap>(
-          openvdb::Vec3d(spacing.x, spacing.y, spacing.z),
-          openvdb::Vec3d(origin.x, origin.y, origin.z))));
-  return grid;
-}
-
 std::optional<Error> write_vdb(const FieldImage& image, const std::filesystem::path& file) {
   if (image.order > 1) {
     return Error{ErrorCode::kBadArgument, "a .vdb file holds one value a sample", file.string(),
                  std::nullopt};
   }
-  openvdb::initialize();
-  const auto distance =
-      grid_of<openvdb::DoubleGrid>(image, "distance", std::numeric_limits<double>::infinity());
-  const auto site = grid_of<openvdb::Int32Grid>(image, "site", -1);
-  auto to_distance = distance->getAccessor();
-  auto to_site = site->getAccessor();
-  for (std::size_t v = 0; v < image.grid.voxels(); ++v) {
-    if (!(image.distance[v] < std::numeric_limits<double>::infinity())) continue;
-    const auto at = image.grid.position(v);
-    const openvdb::Coord place(static_cast<int>(at[0]), static_cast<int>(at[1]),
-                               static_cast<int>(at[2]));
-    if (!std::isfinite(image.distance[v])) {
-      to_distance.setValueOff(place, image.distance[v]);  // inside, beyond the band
-      continue;
-    }
-    to_distance.setValue(place, image.distance[v]);
-    to_site.setValue(place, static_cast<std::int32_t>(image.site[v]));
+  std::error_code ignored;
+  const auto plugin = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() /
+                      BLUM_VDB_PLUGIN;
+  void* const library = dlopen(plugin.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays until the end
+  const auto bytes_of = library == nullptr ? nullptr
+                                           : reinterpret_cast<decltype(&blum_vdb_bytes)>(
+                                                 dlsym(library, "blum_vdb_bytes"));
+  if (bytes_of == nullptr) {
+    return Error{ErrorCode::kOutputNotWritten,
+                 std::string("the plug-in for .vdb files cannot be loaded: ") + dlerror(),
+                 file.string(), std::nullopt};
   }
-  std::ostringstream bytes(std::ios_base::binary);
-  openvdb::io::Stream(bytes).write(openvdb::GridPtrVec{distance, site});
+  std::string bytes;
+  bytes_of(image, bytes);
   const std::vector<detail::OutputFile> files = {
-      {file, [&](detail::OutputStream& out) { out << std::string_view(bytes.view()); }}};
+      {file, [&](detail::OutputStream& out) { out << std::string_view(bytes); }}};
   return detail::write_files(files);
 }
 #endif

@@ -51,7 +51,7 @@ bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a
 bool FaceEngine::accept_chords(const Box& box, const Border& border,
                                std::span<const std::vector<std::uint32_t>> runs,
                                std::span<const LocalForm> forms, const Groups& groups,
-                               const Groups& feet, const Range& range) {
+                               const Groups& feet, const Range& range, Rivals& rivals) {
   if (!std::ranges::all_of(runs, come_in_twos)) return false;
   std::map<GroupPair, std::vector<GainPair>> pairs;
   std::vector<std::vector<bool>> ties(groups.count, std::vector<bool>(groups.count, false));
@@ -78,9 +78,7 @@ bool FaceEngine::accept_chords(const Box& box, const Border& border,
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j) {
       const auto g = groups.of[i], h = groups.of[j];
-      if (g == h || find_parting(forms[i], forms[j]) ||
-          !may_both_govern(context_, forms[i], forms[j], range))
-        continue;
+      if (g == h || find_parting(forms[i], forms[j]) || !rivals.meet(i, j)) continue;
       if (!ties[g][h] && !tie(g, h)) return false;
       const auto [a, b] = g < h ? std::pair{i, j} : std::pair{j, i};
       pairs[ordered(g, h)].push_back({a, b, pair_slope(context_, forms[a], forms[b], range)});

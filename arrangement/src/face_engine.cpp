@@ -405,12 +405,11 @@ std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
 }
 
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                  const Range& range, Directions& found) {
+                                  const Range& range, Rivals& rivals, Directions& found) {
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
-      if (groups.of[i] == groups.of[j] || !may_both_govern(context_, forms[i], forms[j], range))
-        continue;
+      if (groups.of[i] == groups.of[j] || !rivals.meet(i, j)) continue;
       of_group[groups.of[i]].push_back({i, j, pair_slope(context_, forms[i], forms[j], range)});
       of_group[groups.of[j]].push_back({j, i, pair_slope(context_, forms[j], forms[i], range)});
     }
@@ -465,9 +464,11 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
     return true;
   if (context_.links_first && !context_.voronoi() && accept_cone(box, forms, feet, border))
     return true;
-  if (ties.cliques && accept_star(box, forms, ties, feet, border)) return true;
+  const Range range = range_of(box);
+  Rivals rivals(context_, forms, range);
+  if (ties.cliques && accept_star(box, forms, ties, feet, border, rivals)) return true;
   if (feet.cliques && feet.count <= max_groups && feet != ties &&
-      accept_star(box, forms, feet, feet, border))
+      accept_star(box, forms, feet, feet, border, rivals))
     return true;
   if (context_.voronoi())
     return accept_convex(box, forms, ties, border) || accept_vertex_link(box, forms, ties, border);
@@ -476,7 +477,7 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
 }
 
 bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, const Groups& groups,
-                             const Groups& feet, const Border& border) {
+                             const Groups& feet, const Border& border, Rivals& rivals) {
   std::vector<std::vector<std::uint32_t>> runs;
   bool repeated = false;
   for (const Circle& circle : border.circle) {
@@ -495,7 +496,8 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
     return false;
   const Range range = range_of(box);
   Directions directions;
-  if (!repeated && (groups.count == 1 || directions_exist(forms, groups, range, directions))) {
+  if (!repeated &&
+      (groups.count == 1 || directions_exist(forms, groups, range, rivals, directions))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
@@ -505,7 +507,7 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
          directions);
     return true;
   }
-  return accept_chords(box, border, runs, forms, groups, feet, range);
+  return accept_chords(box, border, runs, forms, groups, feet, range, rivals);
 }
 
 bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,

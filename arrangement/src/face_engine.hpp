@@ -11,6 +11,7 @@
 #include "blum/kernel/union_find.hpp"
 #include "engine_context.hpp"
 #include "groups.hpp"
+#include "rivals.hpp"
 #include "segment_engine.hpp"
 #include "slope.hpp"
 
@@ -75,7 +76,8 @@ class FaceEngine {
   [[nodiscard]] bool accept(const Box& box, std::span<const LocalForm> forms, const Border& border);
   /// Theorem D' with the given groups.
   [[nodiscard]] bool accept_star(const Box& box, std::span<const LocalForm> forms,
-                                 const Groups& groups, const Groups& feet, const Border& border);
+                                 const Groups& groups, const Groups& feet, const Border& border,
+                                 Rivals& rivals);
   /// Decides the part by exact algebra; false if that cannot be or takes too many candidates.
   [[nodiscard]] bool accept_exact(const Box& box, std::span<const LocalForm> forms,
                                   const Border& border);
@@ -162,7 +164,7 @@ class FaceEngine {
   /// One for each group; none for a group that ties with no other.
   using Directions = std::vector<std::optional<Direction>>;
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      const Range& range, Directions& found);
+                                      const Range& range, Rivals& rivals, Directions& found);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
@@ -212,7 +214,7 @@ class FaceEngine {
   [[nodiscard]] bool accept_chords(const Box& box, const Border& border,
                                    std::span<const std::vector<std::uint32_t>> runs,
                                    std::span<const LocalForm> forms, const Groups& groups,
-                                   const Groups& feet, const Range& range);
+                                   const Groups& feet, const Range& range, Rivals& rivals);
   /// Voronoi diagrams, Theorem D‴: within the strip of an edge, however thin it is, towards a point
   /// of it next to its tip or, if the edge is parallel to the plane, far away.
   [[nodiscard]] std::optional<Direction> along_strip(std::span<const GainPair> pairs,

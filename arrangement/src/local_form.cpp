@@ -152,6 +152,7 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
   const std::uint32_t own = geometry.own_conditions(site);
   out.side = 0;
   out.covers = true;
+  out.crossed = 0;
   bool incidence = true;
   int violated = 0, last_violated = 0;
   for (std::uint32_t k = 0; k < domain.size(); ++k) {
@@ -160,6 +161,7 @@ bool local_form(const SiteGeometry& geometry, SiteId site, const Range& range, L
     const double s = spread(h.w, range);
     if (at_center.low() - s > 0) return false;
     if (at_center.high() + s > 0) {
+      if (k < 32) out.crossed |= 1u << k;
       if (k < own) {
         ++violated;
         last_violated = static_cast<int>(k);

@@ -1,0 +1,126 @@
+#include "rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slope.hpp"
+
+namespace blum {
+namespace {
+
+/// Conditions of a domain beyond so many are not looked at: vertices of many edges.
+constexpr std::uint32_t kMaxConditions = 12;
+/// Of more forms third ones are not looked for: bisecting is cheaper.
+constexpr std::size_t kMaxForms = 16;
+
+PairForm linear_form(const Ball& value, const BallVector& gradient) {
+  PairForm f{value, gradient, {}};
+  f.a.fill(Ball(0.0));
+  return f;
+}
+
+/// What is 0 wherever both govern the same point: a plane where they touch, else the difference of
+/// their squared distances.
+PairForm tie_form(EngineContext& context, const LocalForm& a, const LocalForm& c,
+                  const Range& range) {
+  if (context.voronoi()) {
+    const Touch& t = context.touch(a.site, c.site);
+    if (t.kind == Touch::Kind::kPlane || t.kind == Touch::Kind::kBisector)
+      return linear_form(dot(t.w, difference(range.center, context.geometry.solid().point[t.base])),
+                         t.w);
+  }
+  return pair_form(context, a, c, range);
+}
+
+/// f + t * g.
+PairForm combined(const PairForm& f, double t, const PairForm& g) {
+  const Ball factor(t);
+  PairForm sum;
+  sum.value = f.value + factor * g.value;
+  for (std::size_t k = 0; k < 3; ++k) sum.gradient[k] = f.gradient[k] + factor * g.gradient[k];
+  for (std::size_t k = 0; k < 6; ++k) sum.a[k] = f.a[k] + factor * g.a[k];
+  return sum;
+}
+
+/// May f + t * g be negative all over the range? A guess, by midpoints alone.
+bool seems_negative(const PairForm& f, double t, const PairForm& g, const Range& range) {
+  double bound = f.value.mid + t * g.value.mid;
+  for (int i = 0; i < 3 && bound < 0; ++i) {
+    if (range.half[i] == 0) continue;
+    bound += std::abs(f.gradient[i].mid + t * g.gradient[i].mid) * range.half[i];
+    for (int j = 0; j < 3; ++j)
+      bound +=
+          std::abs(f.matrix(i, j).mid + t * g.matrix(i, j).mid) * range.half[i] * range.half[j];
+  }
+  return bound < 0;
+}
+
+enum class Factor : std::uint8_t { kAny, kPositive };
+
+/// Is there a factor with f + t * g < 0 all over the range? Tries those that leave no slope along
+/// one of the axes.
+bool exclude_each_other(const PairForm& f, const PairForm& g, Factor factor, const Range& range) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (range.half[k] == 0 || g.gradient[k].mid == 0) continue;
+    const double t = -f.gradient[k].mid / g.gradient[k].mid;
+    if (!std::isfinite(t) || (factor == Factor::kPositive && !(t > 0)) ||
+        !seems_negative(f, t, g, range))
+      continue;
+    const PairForm sum = combined(f, t, g);
+    if (sum.value.high() + sum.slack(range) < 0) return true;
+  }
+  return false;
+}
+
+/// The conditions of the site's domain that may fail in the range, as forms that are not negative
+/// where it governs.
+struct Conditions {
+  std::array<PairForm, kMaxConditions> form;
+  std::uint32_t count = 0;
+
+  Conditions(const SiteGeometry& geometry, const LocalForm& f, const Range& range) {
+    if (f.crossed == 0) return;
+    const auto domain = geometry.domain(f.site);
+    for (std::uint32_t k = 0; k < domain.size() && count < kMaxConditions; ++k) {
+      if (k < 32 && (f.crossed >> k & 1) == 0) continue;
+      const BallVector& w = domain[k].w;
+      const Ball h = dot(w, difference(range.center, geometry.solid().point[domain[k].base]));
+      form[count++] = linear_form(-h, {-w[0], -w[1], -w[2]});
+    }
+  }
+  [[nodiscard]] std::span<const PairForm> all() const { return std::span(form).first(count); }
+};
+
+}  // namespace
+
+bool tie_outside_domains(EngineContext& context, const LocalForm& a, const LocalForm& c,
+                         const Range& range) {
+  if (a.crossed == 0 && c.crossed == 0) return false;
+  const PairForm tie = tie_form(context, a, c, range);
+  const Conditions of_a(context.geometry, a, range), of_c(context.geometry, c, range);
+  for (const auto* of : {&of_a, &of_c})
+    for (const PairForm& f : of->all())
+      if (exclude_each_other(f, tie, Factor::kAny, range)) return true;
+  for (const PairForm& f : of_a.all())
+    for (const PairForm& g : of_c.all())
+      if (exclude_each_other(f, g, Factor::kPositive, range)) return true;
+  return false;
+}
+
+bool nearer_at_ties(EngineContext& context, const LocalForm& b, const LocalForm& a,
+                    const LocalForm& c, const Range& range) {
+  return b.covers && exclude_each_other(pair_form(context, b, a, range),
+                                        tie_form(context, a, c, range), Factor::kAny, range);
+}
+
+bool Rivals::decide(std::size_t i, std::size_t j) {
+  const LocalForm &a = forms_[i], &c = forms_[j];
+  if (!may_both_govern(context_, a, c, range_)) return false;
+  if (context_.plain) return true;
+  if (tie_outside_domains(context_, a, c, range_)) return false;
+  return forms_.size() > kMaxForms || std::ranges::none_of(forms_, [&](const LocalForm& b) {
+           return b.site != a.site && b.site != c.site && nearer_at_ties(context_, b, a, c, range_);
+         });
+}
+
+}  // namespace blum
