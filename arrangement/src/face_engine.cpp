@@ -829,7 +829,8 @@ FaceDiagram FaceEngine::solve(const std::array<std::shared_ptr<const SegmentDiag
         if (b.point.kind == Breakpoint::Kind::kBoundary && b.point.triangle == t) return false;
     return true;
   });
-  const Trouble trouble = refine(root);
+  Trouble trouble;
+  if (problem_.whole == nullptr || !take_half(root)) trouble = refine(root);
   FaceDiagram d;
   if (trouble) {
     d.status = trouble.status;

@@ -259,6 +259,10 @@ class FaceEngine {
   void label_element(std::uint32_t element, std::span<const SiteId> labels);
   [[nodiscard]] Trouble find_traces(Box& root);
   [[nodiscard]] FaceDiagram assemble(const Box& root);
+  class HalfMap;
+  /// Records the diagram as half of problem_.whole; false, and nothing recorded: that tells too
+  /// little.
+  [[nodiscard]] bool take_half(const Box& root);
 
   EngineContext& context_;
   const FaceProblem& problem_;

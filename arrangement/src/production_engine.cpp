@@ -35,6 +35,11 @@ SegmentAnswer ProductionEngine::segment(const Segment& segment, std::span<const 
 FaceDiagram ProductionEngine::face(
     const FaceProblem& problem, const std::array<std::shared_ptr<const SegmentDiagram>, 4>& side) {
   EngineContext& context = impl_->context;
+  if (problem.whole != nullptr && (impl_->plain_first || context.parts != nullptr)) {
+    FaceProblem alone = problem;  // a certificate has reasons for each face of its own
+    alone.whole = nullptr;
+    return face(alone, side);
+  }
   if (impl_->plain_first) {
     context.plain = true;
     FaceDiagram d = FaceEngine(context, problem).solve(side);

@@ -93,6 +93,9 @@ CellOutcome CellWorker::work(Cell& cell) {
     LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
     for (const auto& inherited : cell.face)
       if (inherited) diagrams.adopt(inherited);
+    for (const auto& whole : cell.whole)
+      if (whole) diagrams.inherit(whole);
+    cell.whole = {};
     const CellVerdict verdict = test(cell, diagrams, leaf);
     stats_.faces_computed += diagrams.faces_computed();
     if (verdict == CellVerdict::kAccepted && (!leaf.has_axis || fine_enough(cell))) {
@@ -200,6 +203,7 @@ std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
         continue;
       }
     }
+    const auto low_face = static_cast<std::size_t>(2 * axis), high_face = low_face + 1;
     Split s;
     s.axis = axis;
     s.cut = m;
@@ -208,8 +212,9 @@ std::optional<Split> CellWorker::split(Cell& cell, bool validate) {
       half->depth = cell.depth + 1;
       half->stuck = cell.stuck;
       half->largest_diameter = cell.largest_diameter;
+      half->whole = cell.face;
+      half->whole[low_face] = half->whole[high_face] = nullptr;
     }
-    const auto low_face = static_cast<std::size_t>(2 * axis), high_face = low_face + 1;
     s.low.box.hi[axis] = s.high.box.lo[axis] = m;
     s.low.face[low_face] = cell.face[low_face];
     s.low.face[high_face] = s.high.face[low_face] = section;

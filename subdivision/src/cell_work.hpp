@@ -33,6 +33,9 @@ struct Cell {
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
   /// and of the parent's own face opposite. Others are null.
   std::array<std::shared_ptr<const FaceDiagram>, 6> face;
+  /// Decided diagrams of the parent's faces that its plane cut, by the face of the cell that is a
+  /// half. Others are null.
+  std::array<std::shared_ptr<const FaceDiagram>, 6> whole;
 };
 
 struct Split {

@@ -34,8 +34,10 @@ std::shared_ptr<const FaceDiagram> LocalDiagrams::face(const Rect& rect) {
     }
     side[s] = std::move(a.diagram);
   }
-  auto diagram = std::make_shared<const FaceDiagram>(
-      engine_.face(FaceProblem{&solid_, rect, candidates_, triangles_}, side));
+  FaceProblem problem{&solid_, rect, candidates_, triangles_};
+  for (const auto& w : whole_)
+    if (w->rect.axis == rect.axis && w->rect.level == rect.level) problem.whole = w.get();
+  auto diagram = std::make_shared<const FaceDiagram>(engine_.face(problem, side));
   if (diagram->status == FaceStatus::kDecided) face_.push_back(diagram);
   return diagram;
 }

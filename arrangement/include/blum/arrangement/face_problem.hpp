@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "blum/arrangement/face_diagram.hpp"
 #include "blum/kernel/point.hpp"
 #include "blum/kernel/site.hpp"
 #include "blum/kernel/site_geometry.hpp"
@@ -26,6 +27,10 @@ struct FaceProblem {
   std::span<const std::uint32_t> triangles;
   bool interior = false;  ///< the rectangle is known to lie in O (then `triangles` is empty)
   DiagramKind kind = DiagramKind::kMedial;  ///< production engines go by their geometry's
+  /// Null, or a decided diagram by the same engine of a rectangle that an axis-parallel line parts
+  /// into `rect` and another one. It may save work, and does not change the answer as a labelled
+  /// planar map, but that labels of regions may be more.
+  const FaceDiagram* whole = nullptr;
 };
 
 }  // namespace blum

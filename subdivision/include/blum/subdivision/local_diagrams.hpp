@@ -24,6 +24,9 @@ class LocalDiagrams {
   /// has an edge in common with.
   void adopt(std::shared_ptr<const FaceDiagram> face);
 
+  /// Takes a diagram as FaceProblem::whole of its halves. Requires: decided.
+  void inherit(std::shared_ptr<const FaceDiagram> whole) { whole_.push_back(std::move(whole)); }
+
   [[nodiscard]] std::shared_ptr<const FaceDiagram> face(const Rect& rect);
   [[nodiscard]] SegmentAnswer segment(const Segment& segment);
 
@@ -38,6 +41,7 @@ class LocalDiagrams {
   // A cell has six faces and twelve edges: a search along the list is the quickest.
   std::vector<std::shared_ptr<const FaceDiagram>> face_;
   std::vector<std::shared_ptr<const SegmentDiagram>> segment_;
+  std::vector<std::shared_ptr<const FaceDiagram>> whole_;
   std::size_t computed_ = 0;
 };
 
