@@ -66,6 +66,11 @@ class FaceEngine::HalfMap {
     /// A run on each side, or kNone for the region that it shares with no run.
     std::array<std::uint32_t, 2> run{kNone, kNone};
   };
+  /// A node that may stand for a tree through which the cut passes, and the regions around it.
+  struct Tree {
+    std::uint32_t node;
+    std::vector<std::uint32_t> around;
+  };
   struct Run {
     std::uint32_t region;
     std::vector<std::uint32_t> elements, traces;
@@ -93,6 +98,8 @@ class FaceEngine::HalfMap {
     return where_[a.from] != Where::kUnknown && where_[a.to] != Where::kUnknown &&
            where_[a.from] != where_[a.to];
   }
+  /// Perhaps by an arc within the tree, of which the whole's diagram does not tell?
+  [[nodiscard]] bool may_cross(const Tree& tree, std::uint32_t region, SiteId above) const;
   [[nodiscard]] std::optional<std::uint32_t> region_at_end(std::size_t k) const;
   /// The arc by which a way along the cut leaves the region for one that `above` may govern.
   [[nodiscard]] std::optional<std::uint32_t> arc_crossed(std::uint32_t region, SiteId above,
@@ -114,7 +121,8 @@ class FaceEngine::HalfMap {
   std::map<std::uint32_t, std::uint32_t> local_;  // engine's node -> local
   std::vector<std::uint32_t> id_;                 // local node -> engine's, kNone for inner ones
   enum class Where : std::uint8_t { kIn, kOut, kUnknown };
-  std::vector<Where> where_;            // of the whole's nodes
+  std::vector<Where> where_;  // of the whole's nodes
+  std::vector<Tree> tree_;
   std::vector<std::uint32_t> crossed_;  // arc of the whole -> local node on the cut
   std::vector<Arc> arcs_;
   UnionFind graph_;                                            // over local nodes
@@ -142,10 +150,13 @@ bool FaceEngine::HalfMap::find_regions_of_sides() {
 bool FaceEngine::HalfMap::find_nodes() {
   where_.assign(whole_.node.size(), Where::kOut);
   std::vector<std::uint32_t> degree(whole_.node.size(), 0);
-  for (const FaceArc& a : whole_.arc) {
-    ++degree[a.from];
-    ++degree[a.to];
-  }
+  std::vector<std::vector<std::uint32_t>> around(whole_.node.size());
+  for (const FaceArc& a : whole_.arc)
+    for (const auto n : {a.from, a.to}) {
+      ++degree[n];
+      for (const auto r : a.region)
+        if (std::ranges::find(around[n], r) == around[n].end()) around[n].push_back(r);
+    }
   id_.assign(whole_.node.size(), kNone);
   for (std::uint32_t n = 0; n < whole_.node.size(); ++n) {
     const FaceNode& node = whole_.node[n];
@@ -175,14 +186,31 @@ bool FaceEngine::HalfMap::find_nodes() {
           if ((lo > half_.at) == half_.high) where_[n] = Where::kIn;
           break;
         }
-        // The cut may part what stands for several events.
-        if (!node.exact || degree[n] != (node.kind == FaceNode::Kind::kRim ? 1 : 3)) return false;
         where_[n] = Where::kUnknown;
+        if (node.kind == FaceNode::Kind::kRim) {
+          if (degree[n] != 1) return false;
+          break;
+        }
+        if (degree[n] == 3 && node.exact) break;
+        // It may stand for a tree of several events.
+        if (around[n].size() != degree[n]) return false;
+        tree_.push_back({n, around[n]});
         break;
       }
     }
   }
   return true;
+}
+
+bool FaceEngine::HalfMap::may_cross(const Tree& tree, std::uint32_t region, SiteId above) const {
+  if (std::ranges::find(tree.around, region) == tree.around.end()) return false;
+  return std::ranges::any_of(tree.around, [&](auto r) {
+    return r != region && may_govern(above, r) &&
+           std::ranges::none_of(whole_.arc, [&](const FaceArc& a) {
+             return (a.from == tree.node || a.to == tree.node) &&
+                    (a.region == std::array{r, region} || a.region == std::array{region, r});
+           });
+  });
 }
 
 std::optional<std::uint32_t> FaceEngine::HalfMap::region_at_end(std::size_t k) const {
@@ -194,6 +222,8 @@ std::optional<std::uint32_t> FaceEngine::HalfMap::region_at_end(std::size_t k) c
 
 std::optional<std::uint32_t> FaceEngine::HalfMap::arc_crossed(std::uint32_t region, SiteId above,
                                                               bool once_each) const {
+  if (std::ranges::any_of(tree_, [&](const Tree& t) { return may_cross(t, region, above); }))
+    return std::nullopt;
   std::optional<std::uint32_t> found;
   for (std::uint32_t a = 0; a < whole_.arc.size(); ++a) {
     if (once_each && (crossed_[a] != kNone || !joins_halves(whole_.arc[a]))) continue;
