@@ -231,9 +231,12 @@ void Assembler::solve_interface(Interface& i, int thread) {
     i.diagram = high;
   } else {
     const Leaf& leaf = donor(i);
-    i.diagram = LocalDiagrams(engines_.diagrams(first_thread_ + thread), solid_, leaf.candidates,
-                              border(leaf))
-                    .face(i.rect);
+    LocalDiagrams diagrams(engines_.diagrams(first_thread_ + thread), solid_, leaf.candidates,
+                           border(leaf));
+    // The other leaf's reaches beyond what the candidates are complete on.
+    if (const auto& whole = i.low != kNone && &leaf == &subdivision_.leaf[i.low] ? low : high)
+      diagrams.inherit(whole);
+    i.diagram = diagrams.face(i.rect);
   }
   if (!i.decided()) return;
   Locator locator = locator_of(thread);

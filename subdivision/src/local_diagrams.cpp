@@ -18,6 +18,29 @@ SegmentAnswer LocalDiagrams::segment(const Segment& segment) {
   return a;
 }
 
+std::shared_ptr<const FaceDiagram> LocalDiagrams::whole_of(const Rect& rect) {
+  for (const auto& w : whole_) {
+    const Rect& all = w->rect;
+    if (all.axis != rect.axis || all.level != rect.level || all.u0 > rect.u0 || all.u1 < rect.u1 ||
+        all.v0 > rect.v0 || all.v1 < rect.v1)
+      continue;
+    Rect half = all;
+    (all.u0 != rect.u0   ? half.u0
+     : all.u1 != rect.u1 ? half.u1
+     : all.v0 != rect.v0 ? half.v0
+                         : half.v1) = all.u0 != rect.u0   ? rect.u0
+                                      : all.u1 != rect.u1 ? rect.u1
+                                      : all.v0 != rect.v0 ? rect.v0
+                                                          : rect.v1;
+    if (half == rect || half == all) return w;
+    auto d = face(half);
+    if (d->status != FaceStatus::kDecided) return nullptr;
+    whole_.insert(whole_.begin(), std::move(d));
+    return whole_of(rect);
+  }
+  return nullptr;
+}
+
 std::shared_ptr<const FaceDiagram> LocalDiagrams::face(const Rect& rect) {
   for (const auto& known : face_)
     if (known->rect == rect) return known;
@@ -35,8 +58,8 @@ std::shared_ptr<const FaceDiagram> LocalDiagrams::face(const Rect& rect) {
     side[s] = std::move(a.diagram);
   }
   FaceProblem problem{&solid_, rect, candidates_, triangles_};
-  for (const auto& w : whole_)
-    if (w->rect.axis == rect.axis && w->rect.level == rect.level) problem.whole = w.get();
+  const auto whole = whole_of(rect);
+  problem.whole = whole.get();
   auto diagram = std::make_shared<const FaceDiagram>(engine_.face(problem, side));
   if (diagram->status == FaceStatus::kDecided) face_.push_back(diagram);
   return diagram;

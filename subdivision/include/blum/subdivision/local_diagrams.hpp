@@ -24,7 +24,8 @@ class LocalDiagrams {
   /// has an edge in common with.
   void adopt(std::shared_ptr<const FaceDiagram> face);
 
-  /// Takes a diagram as FaceProblem::whole of its halves. Requires: decided.
+  /// Takes a diagram as FaceProblem::whole of the rectangles in it, by halves of halves. Requires:
+  /// decided.
   void inherit(std::shared_ptr<const FaceDiagram> whole) { whole_.push_back(std::move(whole)); }
 
   [[nodiscard]] std::shared_ptr<const FaceDiagram> face(const Rect& rect);
@@ -34,6 +35,8 @@ class LocalDiagrams {
   [[nodiscard]] std::size_t faces_computed() const { return computed_; }
 
  private:
+  [[nodiscard]] std::shared_ptr<const FaceDiagram> whole_of(const Rect& rect);
+
   DiagramEngine& engine_;
   const Solid& solid_;
   std::span<const SiteId> candidates_;
