@@ -407,6 +407,7 @@ std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
                                   const Range& range, Rivals& rivals, Directions& found) {
   std::vector<std::vector<GainPair>> of_group(groups.count);
+  for (auto& pairs : of_group) pairs.reserve(forms.size());
   for (std::uint32_t i = 0; i < forms.size(); ++i)
     for (std::uint32_t j = i + 1; j < forms.size(); ++j) {
       if (groups.of[i] == groups.of[j] || !rivals.meet(i, j)) continue;

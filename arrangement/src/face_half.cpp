@@ -1,136 +1,30 @@
-// The diagram of half a rectangle from that of the whole, where counting tells how the cut parts it
-// (docs/proofs.md, "Halves").
-#include <algorithm>
-#include <map>
-#include <optional>
-#include <vector>
-
-#include "face_engine.hpp"
+#include "face_half.hpp"
 
 namespace blum {
 namespace {
 
 constexpr auto kNone = Breakpoint::kNone;
 
-/// Where a rectangle lies in one that it is a half of.
-struct Half {
-  std::uint8_t cut = 0;              ///< its side that is not on the whole's border
-  bool high = false;                 ///< the half of greater coordinates
-  std::array<std::uint8_t, 2> ends;  ///< the sides that meet the cut, in the order along it
-  double at = 0;                     ///< the cut's coordinate
-  bool along_u = false;              ///< that coordinate is u
-
-  static std::optional<Half> of(const Rect& half, const Rect& whole) {
-    if (half.axis != whole.axis || half.level != whole.level) return std::nullopt;
-    const std::array<std::uint8_t, 4> side = {kLowU, kHighU, kLowV, kHighV};
-    const std::array<double, 4> own = {half.u0, half.u1, half.v0, half.v1},
-                                other = {whole.u0, whole.u1, whole.v0, whole.v1};
-    std::optional<Half> found;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (own[k] == other[k]) continue;
-      if (found) return std::nullopt;
-      const bool low = k % 2 == 0, u = k < 2;
-      found = Half{side[k], low,
-                   u ? std::array<std::uint8_t, 2>{kLowV, kHighV}
-                     : std::array<std::uint8_t, 2>{kLowU, kHighU},
-                   own[k], u};
-      if (low ? !(own[k] > other[k]) : !(own[k] < other[k])) return std::nullopt;
-    }
-    return found;
-  }
-};
-
 }  // namespace
 
-/// All that is known of the half before anything is recorded. Nodes are numbered as in the whole,
-/// and then by the ties of the cut; regions as in the whole.
-class FaceEngine::HalfMap {
- public:
-  HalfMap(FaceEngine& engine, const Box& root, const Half& half)
-      : engine_(engine), whole_(*engine.problem_.whole), root_(root), half_(half) {}
-
-  [[nodiscard]] bool find() {
-    border_ = engine_.border_of(root_);
-    if (!border_.loop.empty()) return false;
-    for (const FacePiece& p : whole_.piece)
-      if (p.boundary_circles != 1) return false;
-    return find_regions_of_sides() && find_nodes() && walk_cut() && place_nodes() && find_graph() &&
-           find_circles() && find_sides_of_arcs();
+std::optional<Half> Half::of(const Rect& half, const Rect& whole) {
+  if (half.axis != whole.axis || half.level != whole.level) return std::nullopt;
+  const std::array<std::uint8_t, 4> side = {kLowU, kHighU, kLowV, kHighV};
+  const std::array<double, 4> own = {half.u0, half.u1, half.v0, half.v1},
+                              other = {whole.u0, whole.u1, whole.v0, whole.v1};
+  std::optional<Half> found;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (own[k] == other[k]) continue;
+    if (found) return std::nullopt;
+    const bool low = k % 2 == 0, u = k < 2;
+    found = Half{
+        side[k], low,
+        u ? std::array<std::uint8_t, 2>{kLowV, kHighV} : std::array<std::uint8_t, 2>{kLowU, kHighU},
+        own[k], u};
+    if (low ? !(own[k] > other[k]) : !(own[k] < other[k])) return std::nullopt;
   }
-  void record();
-
- private:
-  struct Arc {
-    std::uint32_t from, to;  ///< local nodes
-    const FaceArc* of;       ///< that it is part of
-    /// A run on each side, or kNone for the region that it shares with no run.
-    std::array<std::uint32_t, 2> run{kNone, kNone};
-  };
-  /// A node that may stand for a tree through which the cut passes, and the regions around it.
-  struct Tree {
-    std::uint32_t node;
-    std::vector<std::uint32_t> around;
-  };
-  struct Run {
-    std::uint32_t region;
-    std::vector<std::uint32_t> elements, traces;
-  };
-
-  /// Of side s of the whole, those on the half begin at this number.
-  [[nodiscard]] std::size_t first_on(std::uint8_t s) const {
-    const auto n = whole_.side[s]->breakpoint.size(), own = root_.side[s].brk.size();
-    return half_.high && s != opposite() ? n - own : 0;
-  }
-  [[nodiscard]] std::uint8_t opposite() const {
-    return static_cast<std::uint8_t>((half_.cut + 2) % 4);
-  }
-  [[nodiscard]] std::uint32_t region_of_trace(std::uint32_t triangle) const {
-    for (const FaceTrace& t : whole_.trace)
-      if (t.triangle == triangle) return t.region;
-    return kNone;
-  }
-  [[nodiscard]] bool may_govern(SiteId s, std::uint32_t region) const {
-    return std::ranges::binary_search(whole_.region[region].labels, s);
-  }
-  [[nodiscard]] bool in(std::uint32_t node) const { return where_[node] == Where::kIn; }
-  /// Does the arc have one end in each half? False too if that is not known of its ends.
-  [[nodiscard]] bool joins_halves(const FaceArc& a) const {
-    return where_[a.from] != Where::kUnknown && where_[a.to] != Where::kUnknown &&
-           where_[a.from] != where_[a.to];
-  }
-  /// Perhaps by an arc within the tree, of which the whole's diagram does not tell?
-  [[nodiscard]] bool may_cross(const Tree& tree, std::uint32_t region, SiteId above) const;
-  [[nodiscard]] std::optional<std::uint32_t> region_at_end(std::size_t k) const;
-  /// The arc by which a way along the cut leaves the region for one that `above` may govern.
-  [[nodiscard]] std::optional<std::uint32_t> arc_crossed(std::uint32_t region, SiteId above,
-                                                         bool once_each) const;
-  [[nodiscard]] bool find_regions_of_sides();
-  [[nodiscard]] bool find_nodes();
-  [[nodiscard]] bool walk_cut();
-  [[nodiscard]] bool place_nodes();
-  [[nodiscard]] bool find_graph();
-  [[nodiscard]] bool find_circles();
-  [[nodiscard]] bool find_sides_of_arcs();
-
-  FaceEngine& engine_;
-  const FaceDiagram& whole_;
-  const Box& root_;
-  const Half half_;
-  Border border_;
-  std::map<std::uint32_t, std::uint32_t> region_of_element_;
-  std::map<std::uint32_t, std::uint32_t> local_;  // engine's node -> local
-  std::vector<std::uint32_t> id_;                 // local node -> engine's, kNone for inner ones
-  enum class Where : std::uint8_t { kIn, kOut, kUnknown };
-  std::vector<Where> where_;  // of the whole's nodes
-  std::vector<Tree> tree_;
-  std::vector<std::uint32_t> crossed_;  // arc of the whole -> local node on the cut
-  std::vector<Arc> arcs_;
-  UnionFind graph_;                                            // over local nodes
-  std::vector<Run> runs_;                                      // of all circles
-  std::vector<std::uint32_t> circle_;                          // first run of each circle
-  std::map<std::uint32_t, std::array<std::uint32_t, 2>> end_;  // local node -> runs beside it
-  UnionFind same_;                                             // over runs: parts of one region
-};
+  return found;
+}
 
 bool FaceEngine::HalfMap::find_regions_of_sides() {
   for (std::uint8_t s = 0; s < 4; ++s) {
@@ -390,80 +284,6 @@ bool FaceEngine::HalfMap::find_sides_of_arcs() {
       a.run[k] = it->second.front();
     }
   }
-  return true;
-}
-
-void FaceEngine::HalfMap::record() {
-  std::vector<LocalForm> forms;
-  prune(engine_.context_.geometry, root_.candidates, engine_.range_of(root_), forms,
-        &engine_.context_);
-  const auto label = [&](std::uint32_t element, std::uint32_t region) {
-    std::vector<SiteId> labels;
-    for (const LocalForm& f : forms)
-      if (may_govern(f.site, region)) labels.push_back(f.site);
-    engine_.label_element(element, labels);
-  };
-  std::vector<std::uint32_t> element;  // of each run
-  for (const Run& run : runs_) {
-    std::vector<std::uint32_t> all = run.elements;
-    for (const auto t : run.traces) all.push_back(engine_.trace_element(t));
-    for (const auto e : all) engine_.region_.unite(all.front(), e);
-    label(all.front(), run.region);
-    element.push_back(all.front());
-  }
-  for (std::size_t c = 0; c < circle_.size(); ++c) {
-    const auto end = c + 1 < circle_.size() ? circle_[c + 1] : runs_.size();
-    for (std::size_t k = circle_[c]; k < end; ++k) {
-      engine_.component_.unite(element[circle_[c]], element[k]);
-      const Run& run = runs_[k];
-      for (const auto e : run.elements) engine_.component_.unite(element[k], e);
-      for (const auto t : run.traces)
-        engine_.component_.unite(element[k], engine_.trace_element(t));
-      engine_.region_.unite(element[k], element[same_.find(static_cast<std::uint32_t>(k))]);
-    }
-  }
-  std::map<std::uint32_t, std::uint32_t> within;  // region -> element
-  const auto node_of = [&](std::uint32_t n) {
-    if (id_[n] != kNone) return id_[n];
-    const FaceNode& node = whole_.node[n];
-    if (node.kind == FaceNode::Kind::kConvexEdge)
-      return id_[n] = engine_.convex_node(node.boundary_edge);
-    id_[n] = engine_.new_node(node.kind, root_);
-    FaceNode& own = engine_.nodes_[id_[n]].node;
-    own = node;
-    own.u0 = std::max(node.u0, root_.u0);
-    own.u1 = std::min(node.u1, root_.u1);
-    own.v0 = std::max(node.v0, root_.v0);
-    own.v1 = std::min(node.v1, root_.v1);
-    return id_[n];
-  };
-  for (const Arc& a : arcs_) {
-    std::array<std::uint32_t, 2> beside{};
-    for (const std::size_t k : {0u, 1u}) {
-      if (a.run[k] != kNone) {
-        beside[k] = element[a.run[k]];
-        continue;
-      }
-      const auto [it, fresh] = within.try_emplace(a.of->region[k], 0u);
-      if (fresh) {
-        it->second = engine_.new_element();
-        label(it->second, it->first);
-      }
-      beside[k] = it->second;
-    }
-    engine_.component_.unite(beside[0], beside[1]);
-    for (const auto n : {a.from, a.to}) engine_.nodes_[node_of(n)].element = beside[0];
-    engine_.add_arc(node_of(a.from), node_of(a.to), a.of->left, a.of->right, beside);
-  }
-}
-
-bool FaceEngine::take_half(const Box& root) {
-  const auto half = Half::of(problem_.rect, problem_.whole->rect);
-  if (!half) return false;
-  HalfMap map(*this, root, *half);
-  if (!map.find()) return false;
-  map.record();
-  ++context_.counts.halves;
   return true;
 }
 

@@ -76,6 +76,9 @@ struct PairForm {
 [[nodiscard]] BallVector signed_difference(const BallVector& a, int side_a, const BallVector& b,
                                            int side_b);
 
+/// Sign of w.(x - p) where it is certain to be the same at all points x of the range, else 0.
+[[nodiscard]] int sign_over(const BallVector& w, const Point3& p, const Range& range);
+
 /// Does every point x of the range satisfy w.(x - p) <= 0? False also means "not certain".
 [[nodiscard]] bool holds_everywhere(const SiteGeometry& geometry, const HalfSpace& h,
                                     const Range& range);

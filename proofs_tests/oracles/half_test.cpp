@@ -1,0 +1,168 @@
+// The diagram of half a rectangle taken from that of the whole: the map of the half alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "arrangement/coarse_map.hpp"
+#include "arrangement/face_scenes.hpp"
+#include "blum/arrangement/brute_engine.hpp"
+#include "oracles/voronoi_scenes.hpp"
+
+namespace blum {
+namespace {
+
+using test::Random;
+using test::Scene;
+using test::uniform;
+
+struct Tally {
+  int wholes = 0, cuts = 0, taken = 0, alone_undecided = 0, parted = 0, with_brute = 0;
+};
+
+std::string signature(const FaceDiagram& d) {
+  const auto name = [](std::uint32_t i) { return std::to_string(i); };
+  return test::coarse_signature(d, name, name);
+}
+
+/// In (lo, hi): anywhere, or beside what the diagram shows, or an ulp beside.
+double cut_coordinate(Random& random, const FaceDiagram& d, bool along_u, double lo, double hi) {
+  double x = uniform(random, lo, hi);
+  if (!d.node.empty() && random() % 2 == 0) {
+    const FaceNode& n = d.node[random() % d.node.size()];
+    const double a = along_u ? n.u0 : n.v0, b = along_u ? n.u1 : n.v1;
+    switch (random() % 5) {
+      case 0:
+        x = std::nextafter(a, -10);
+        break;
+      case 1:
+        x = std::nextafter(b, 10);
+        break;
+      case 2:
+        x = a + (b - a) * uniform(random, 0, 1);
+        break;
+      case 3:
+        x = (random() % 2 == 0 ? a : b) + (hi - lo) * uniform(random, -1e-3, 1e-3);
+        break;
+      case 4:
+        x = random() % 2 == 0 ? a : b;
+    }
+  }
+  return x > lo && x < hi ? x : 0.5 * (lo + hi);
+}
+
+/// Halves of halves, each against the half alone; now and then against the exact engine.
+void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for_brute,
+             Tally& tally) {
+  const bool voronoi = scene.geometry->kind() == DiagramKind::kVoronoi;
+  const auto sites = scene.near(rect);
+  const auto triangles = voronoi ? std::vector<std::uint32_t>{} : scene.all_triangles();
+  const auto problem = [&](const Rect& r, std::span<const SiteId> candidates) {
+    FaceProblem p{scene.solid.get(), r, candidates, triangles};
+    p.interior = voronoi;
+    p.kind = scene.geometry->kind();
+    return p;
+  };
+  FaceDiagram whole = scene.engine().face(problem(rect, sites));
+  if (whole.status != FaceStatus::kDecided) return;
+  ++tally.wholes;
+  for (int depth = 0; depth < 5; ++depth) {
+    const bool along_u = random() % 2 == 0, high = random() % 2 == 0;
+    double &lo = along_u ? rect.u0 : rect.v0, &hi = along_u ? rect.u1 : rect.v1;
+    (high ? lo : hi) = cut_coordinate(random, whole, along_u, lo, hi);
+    if (!(lo < hi)) return;
+    const auto near = scene.near(rect);
+    FaceProblem from_whole = problem(rect, near);
+    from_whole.whole = &whole;
+    ProductionEngine engine = scene.engine(), other = scene.engine();
+    FaceDiagram half = engine.face(from_whole);
+    const FaceDiagram alone = other.face(problem(rect, near));
+    ++tally.cuts;
+    if (half.status != FaceStatus::kDecided) return;
+    const auto taken = engine.counts().halves;
+    tally.taken += static_cast<int>(taken);
+    if (taken == 0) {
+      whole = std::move(half);
+      continue;
+    }
+    if (alone.status != FaceStatus::kDecided) {
+      ++tally.alone_undecided;
+    } else {
+      ASSERT_EQ(signature(half), signature(alone)) << test::describe(scene, rect);
+      tally.parted += half.region.size() > 2 && half.arc.size() < whole.arc.size();
+    }
+    if (near.size() <= most_for_brute && random() % 4 == 0) {
+      const FaceDiagram brute = brute_face(problem(rect, near));
+      if (brute.status == FaceStatus::kDecided) {
+        ++tally.with_brute;
+        ASSERT_EQ(test::coarse_map_difference(half, brute), "") << test::describe(scene, rect);
+      }
+    }
+    for (const FaceArc& a : half.arc) {
+      ASSERT_LT(a.region[0], half.region.size());
+      ASSERT_LT(a.region[1], half.region.size());
+    }
+    whole = std::move(half);
+  }
+}
+
+void print(const Tally& t) {
+  std::cout << t.wholes << " wholes, " << t.cuts << " cuts, " << t.taken
+            << " taken from the whole, of which alone undecided " << t.alone_undecided
+            << ", with parts of both halves " << t.parted << ", compared with brute "
+            << t.with_brute << '\n';
+}
+
+Tally run_medial(std::uint64_t seed, int rounds, std::size_t most_for_brute) {
+  Random random(seed);
+  Tally tally;
+  for (int round = 0; round < rounds; ++round)
+    for (const Scene& scene : test::catalogue(random)) {
+      const Rect r = random() % 3 == 0
+                         ? test::special_rect(random, scene)
+                         : test::random_rect(random, scene, uniform(random, 0.2, 1.2));
+      compare(random, scene, r, most_for_brute, tally);
+    }
+  print(tally);
+  return tally;
+}
+
+Tally run_voronoi(std::uint64_t seed, int rounds, std::size_t most_for_brute,
+                  const std::vector<Scene>& scenes) {
+  Random random(seed);
+  Tally tally;
+  for (int round = 0; round < rounds; ++round)
+    for (const Scene& scene : scenes)
+      compare(random, scene, test::voronoi_rect(random, scene), most_for_brute, tally);
+  print(tally);
+  return tally;
+}
+
+TEST(Halves, OfMedialDiagrams_AreTheMapOfTheHalfAlone) {
+  const Tally t = run_medial(1, 6, 7);
+  EXPECT_GE(t.taken, 150);
+  EXPECT_GE(t.parted, 50);
+  EXPECT_GE(t.with_brute, 10);
+}
+
+TEST(Halves, OfVoronoiDiagrams_AreTheMapOfTheHalfAlone) {
+  const Tally t = run_voronoi(2, 16, 7, test::voronoi_scenes());
+  EXPECT_GE(t.taken, 100);
+  EXPECT_GE(t.parted, 30);
+  EXPECT_GE(t.with_brute, 10);
+}
+
+TEST(Halves, BesideEdgesFlatButForRounding_AreTheMapOfTheHalfAlone) {
+  const Tally t = run_voronoi(3, 6, 5, test::nearly_flat_voronoi_scenes());
+  EXPECT_GE(t.taken, 40);
+  EXPECT_GE(t.parted, 10);
+}
+
+TEST(SweepHalves, AreTheMapOfTheHalfAlone) {
+  EXPECT_GE(run_medial(4, 60, 8).taken, 3000);
+  EXPECT_GE(run_voronoi(5, 100, 8, test::voronoi_scenes()).taken, 2000);
+  EXPECT_GE(run_voronoi(6, 100, 6, test::nearly_flat_voronoi_scenes()).taken, 1000);
+}
+
+}  // namespace
+}  // namespace blum
