@@ -35,7 +35,9 @@ bool FaceEngine::HalfMap::find_regions_of_sides() {
       const Piece1& p = root_.side[s].piece[k];
       const auto r = whole_.side_region[s][k + first_on(s)];
       if (p.inside != (r != FaceDiagram::kOutside)) return false;
-      if (p.inside) region_of_element_[p.element] = r;
+      if (!p.inside) continue;
+      region_of_element_[p.element] = r;
+      witness_[p.element] = p.witness;
     }
   }
   return true;
@@ -162,7 +164,9 @@ bool FaceEngine::HalfMap::walk_cut() {
     const Piece1& p = cut.piece[k];
     if (p.inside != region.has_value() || (p.inside && !may_govern(p.witness, *region)))
       return false;
-    if (p.inside) region_of_element_[p.element] = *region;
+    if (!p.inside) continue;
+    region_of_element_[p.element] = *region;
+    witness_[p.element] = p.witness;
   }
   return region == region_at_end(1);
 }

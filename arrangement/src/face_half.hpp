@@ -37,8 +37,11 @@ class FaceEngine::HalfMap {
     if (!border_.loop.empty()) return false;
     for (const FacePiece& p : whole_.piece)
       if (p.boundary_circles != 1) return false;
-    return find_regions_of_sides() && find_nodes() && walk_cut() && place_nodes() && find_graph() &&
-           find_circles() && find_sides_of_arcs();
+    if (!find_regions_of_sides() || !find_nodes() || !walk_cut() || !place_nodes() ||
+        !find_graph() || !find_circles() || !find_sides_of_arcs())
+      return false;
+    find_labels();
+    return std::ranges::all_of(arcs_, [this](Arc& a) { return name_sides(a); });
   }
   void record();
 
@@ -48,6 +51,7 @@ class FaceEngine::HalfMap {
     const FaceArc* of;       ///< that it is part of
     /// A run on each side, or Breakpoint::kNone for the region that it shares with no run.
     std::array<std::uint32_t, 2> run{Breakpoint::kNone, Breakpoint::kNone};
+    std::array<SiteId, 2> sites{};  ///< a governor on each side
   };
   /// A node that may stand for a tree through which the cut passes, and the regions around it.
   struct Tree {
@@ -96,7 +100,8 @@ class FaceEngine::HalfMap {
   [[nodiscard]] bool find_sides_of_arcs();
 
   void find_labels();
-  [[nodiscard]] std::array<SiteId, 2> sites_beside(const Arc& a) const;
+  [[nodiscard]] SiteId governor_in(const Run& run) const;
+  [[nodiscard]] bool name_sides(Arc& a) const;
 
   FaceEngine& engine_;
   const FaceDiagram& whole_;
@@ -104,6 +109,7 @@ class FaceEngine::HalfMap {
   const Half half_;
   Border border_;
   std::map<std::uint32_t, std::uint32_t> region_of_element_;
+  std::map<std::uint32_t, SiteId> witness_;       // of elements on sides
   std::map<std::uint32_t, std::uint32_t> local_;  // engine's node -> local
   std::vector<std::uint32_t> id_;  // local node -> engine's, Breakpoint::kNone for inner ones
   enum class Where : std::uint8_t { kIn, kOut, kUnknown };

@@ -1,4 +1,3 @@
-#include "blum/kernel/check.hpp"
 #include "face_half.hpp"
 
 namespace blum {
@@ -8,42 +7,7 @@ constexpr auto kNone = Breakpoint::kNone;
 
 }  // namespace
 
-/// Of the sites that may govern in a region of the whole, those that may in the half.
-void FaceEngine::HalfMap::find_labels() {
-  std::vector<LocalForm> forms;
-  prune(engine_.context_.geometry, root_.candidates, engine_.range_of(root_), forms,
-        &engine_.context_);
-  labels_.resize(whole_.region.size());
-  for (std::uint32_t r = 0; r < whole_.region.size(); ++r)
-    for (const LocalForm& f : forms)
-      if (may_govern(f.site, r)) labels_[r].push_back(f.site);
-}
-
-/// A governor on each side of the arc. Those that the whole's diagram names may govern beyond the
-/// cut alone.
-std::array<SiteId, 2> FaceEngine::HalfMap::sites_beside(const Arc& a) const {
-  for (const auto n : {a.from, a.to})
-    if (end_.contains(n) && id_[n] != kNone) {
-      const auto& g = engine_.nodes_[id_[n]].node.governors;
-      return {g.front(), g.back()};
-    }
-  const auto& governors = engine_.nodes_[id_[a.from]].node.governors;
-  const auto pick = [&](std::uint32_t region, SiteId known) {
-    const auto& labels = labels_[region];
-    const auto is_label = [&](SiteId s) { return std::ranges::find(labels, s) != labels.end(); };
-    if (is_label(known)) return known;
-    const auto it = std::ranges::find_if(governors, is_label);
-    BLUM_CHECK(it != governors.end());
-    return *it;
-  };
-  const auto& r = a.of->region;
-  const bool as_named = may_govern(a.of->left, r[0]) && may_govern(a.of->right, r[1]);
-  return {pick(r[0], as_named ? a.of->left : a.of->right),
-          pick(r[1], as_named ? a.of->right : a.of->left)};
-}
-
 void FaceEngine::HalfMap::record() {
-  find_labels();
   std::vector<std::uint32_t> element;  // of each run
   for (const Run& run : runs_) {
     std::vector<std::uint32_t> all = run.elements;
@@ -94,8 +58,7 @@ void FaceEngine::HalfMap::record() {
     }
     engine_.component_.unite(beside[0], beside[1]);
     for (const auto n : {a.from, a.to}) engine_.nodes_[node_of(n)].element = beside[0];
-    const auto sites = sites_beside(a);
-    engine_.add_arc(node_of(a.from), node_of(a.to), sites[0], sites[1], beside);
+    engine_.add_arc(node_of(a.from), node_of(a.to), a.sites[0], a.sites[1], beside);
   }
 }
 
