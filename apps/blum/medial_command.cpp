@@ -314,6 +314,12 @@ std::shared_ptr<MedialArguments> add_options(CLI::App* medial) {
       ->add_option("--write-flattened", arguments->flattened,
                    "Write the solid so changed to this file, as OFF")
       ->needs(coplanar);
+  medial
+      ->add_option("--cell-sites", options.max_candidates,
+                   "Cells with more sites are divided untested; 0: all are tested, for the fewest\n"
+                   "leaves in the shortest time, with the coarsest geometry")
+      ->check(kDigits)
+      ->capture_default_str();
   medial->add_option("--max-depth", options.max_depth, "Bisections from the box to a leaf")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();

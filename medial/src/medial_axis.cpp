@@ -11,6 +11,7 @@
 #include "assemble.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/medial/review.hpp"
@@ -86,12 +87,15 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
                                                                 : check.regions_outside);
   check.euler = euler_of(complex);
   const Box3 box = root_box(geometry, options);
-  LocalDiagrams diagrams(engines.diagrams(), geometry.solid(), geometry.candidates(), {});
+  // Not those of the leaves: what the subdivision took from them is checked, too. The engines give
+  // the same diagrams of the common edges whoever asks.
   VoronoiSurface::Faces face;
-  for (int f = 0; f < 6; ++f) {
-    face[f] = diagrams.face(box_face(box, f));
-    if (face[f]->status != FaceStatus::kDecided) return check;
-  }
+  for_each_in_parallel(engines.threads(), face.size(), [&](int thread, std::size_t f) {
+    LocalDiagrams diagrams(engines.diagrams(thread), geometry.solid(), geometry.candidates(), {});
+    face[f] = diagrams.face(box_face(box, static_cast<int>(f)));
+  });
+  for (const auto& d : face)
+    if (d->status != FaceStatus::kDecided) return check;
   check.decided = true;
   check.pieces_euler = VoronoiSurface(face).pieces_euler();
   return check;

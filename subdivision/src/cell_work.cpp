@@ -13,9 +13,8 @@
 namespace blum {
 namespace {
 
-/// A cell with more candidates is split untested: its test would cost more than its children's.
-constexpr std::size_t kMaxCandidates = 96;
-/// But after so many bisections that lost no candidate it is tested: they may all meet in a point.
+/// A cell with more candidates than asked for is split untested, but after so many bisections that
+/// lost none it is tested: they may all meet in a point.
 constexpr int kPatience = 4;
 constexpr int kPlaneAttempts = 8;
 constexpr std::size_t kIsolated = 16;
@@ -87,8 +86,9 @@ CellOutcome CellWorker::work(Cell& cell) {
   cell.candidates =
       production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
   cell.stuck = cell.candidates.size() < before ? 0 : cell.stuck + 1;
-  const bool small =
-      cell.candidates.size() <= kMaxCandidates || cell.stuck % kPatience == kPatience - 1;
+  const bool small = options_.max_candidates == 0 ||
+                     cell.candidates.size() <= options_.max_candidates ||
+                     cell.stuck % kPatience == kPatience - 1;
   if (small) {
     LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
     for (const auto& inherited : cell.face)

@@ -44,7 +44,10 @@ struct SubdivisionOptions {
   bool cuts = true;  ///< try planes that miss the axis before a cell is subdivided (Theorem E)
   /// Cells may hold boundary vertices near which the axis falls apart, among other sites.
   bool split_vertices = true;
-  /// Accept cells that one region passes through (Theorem T of docs/proofs.md).
+  /// Cells with more candidates are divided untested, but for some that lost none for long; 0: no
+  /// bound. The more a cell may have, the fewer leaves, and the coarser the geometry of the complex.
+  std::size_t max_candidates = 96;
+  /// Voronoi: accept cells that one region passes through (Theorem T of docs/proofs.md).
   bool tubes = true;
   Criterion criterion = Criterion::kRelaxed;  ///< Voronoi only
   double margin = 0.1;  ///< Voronoi: how much larger than the solid's the box is, as a fraction
