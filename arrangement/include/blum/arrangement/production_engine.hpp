@@ -29,6 +29,7 @@ struct EngineCounts {
   std::uint64_t segments = 0, faces = 0, boxes = 0, clusters = 0, rims = 0;
   std::uint64_t slices = 0;                            ///< parts by Theorem S (docs/proofs.md)
   std::uint64_t links = 0;                             ///< parts by the chains at a vertex
+  std::uint64_t rivals = 0;                            ///< pairs told apart by "Rivals" there
   std::uint64_t exact_parts = 0, exact_stretches = 0;  ///< decided by exact algebra
 };
 
