@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "../../arrangement/src/local_form.hpp"
 #include "../../kernel/src/site_expressions.hpp"
 #include "arrangement/face_scenes.hpp"
 #include "blum/kernel/predicates.hpp"
@@ -101,6 +102,7 @@ class PreciseSites {
     return false;
   }
   /// Is x, a point of the diagram's domain, in the domains of both, and none of the others nearer?
+  /// Faces count on either side: between points inside the solid there may be some outside.
   [[nodiscard]] bool both_govern(SiteId a, SiteId c, const PrecisePoint& x,
                                  std::span<const SiteId> others) const {
     if (!in_domain(a, x) || !in_domain(c, x)) return false;
@@ -200,7 +202,9 @@ inline std::optional<PreciseTie> random_tie(Random& random, const Scene& scene,
     for (const Precise& s : sites.ties(a, c, from, to)) {
       if (s < 0 || s > 1) continue;
       const PrecisePoint x = on_line(from, to, s);
-      if (sites.both_govern(a, c, x, candidates))
+      const Point3 rounded{x[0].get_d(), x[1].get_d(), x[2].get_d()};
+      const bool counts = voronoi || scene.inside->locate(rounded) == InsideOracle::Where::kInside;
+      if (counts && sites.both_govern(a, c, x, candidates))
         return PreciseTie{a, c, x, {level == 0, level == 1, level == 2}};
     }
     Point3 m;
