@@ -265,34 +265,62 @@ TEST(Rivals, EdgesNearlyInLine_AreApartByOneConditionOfEachAtAConvexCorner) {
   }
 }
 
-TEST(Rivals, ForCertificates_AreThoseThatMayBothGovern) {
-  Random random(5);
-  long pairs = 0, fewer = 0;
-  for (const Scene& scene : scenes(DiagramKind::kMedial)) {
-    EngineContext plain(*scene.geometry, *scene.inside, 1),
-        usual(*scene.geometry, *scene.inside, 1);
-    plain.plain = true;
-    for (int k = 0; k < 40; ++k) {
-      const Rect r = test::random_rect(random, scene, 0.2);
-      const Range range =
-          Range::of(point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1));
-      std::vector<LocalForm> forms;
-      prune(*scene.geometry, scene.near(r), range, forms, &plain);
-      Rivals without(plain, forms, range), with(usual, forms, range);
-      for (std::size_t i = 0; i < forms.size(); ++i)
-        for (std::size_t j = i + 1; j < forms.size(); ++j) {
-          ++pairs;
-          EXPECT_EQ(without.meet(j, i), may_both_govern(plain, forms[i], forms[j], range));
-          const bool both = with.meet(i, j);
-          EXPECT_EQ(with.meet(j, i), both);
-          EXPECT_TRUE(!both || may_both_govern(usual, forms[i], forms[j], range));
-          fewer += !both && may_both_govern(usual, forms[i], forms[j], range);
-        }
+/// By each rule, pair by pair.
+struct ByRule {
+  std::uint64_t outside = 0, behind = 0, neither = 0;
+};
+
+void compare_with_rules(EngineContext& context, std::span<const LocalForm> forms,
+                        const Range& range, ByRule& counts) {
+  Rivals rivals(context, forms, range);
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    for (std::size_t j = i + 1; j < forms.size(); ++j) {
+      const LocalForm &a = forms[i], &c = forms[j];
+      const bool may = may_both_govern(context, a, c, range),
+                 outside = may && tie_outside_domains(context, a, c, range),
+                 behind = may && !outside && std::ranges::any_of(forms, [&](const LocalForm&b) {
+                            return nearer_at_ties(context, b, a, c, range);
+                          });
+      counts.outside += outside;
+      counts.behind += behind;
+      counts.neither += may && !outside && !behind;
+      EXPECT_EQ(rivals.meet(j, i), may && !outside && !behind);
+      EXPECT_EQ(rivals.meet(i, j), rivals.meet(j, i));
     }
-    EXPECT_EQ(plain.counts.rivals, 0u);
+}
+
+TEST(Rivals, EachRuleCounts_AndNoneForCertificates) {
+  for (const DiagramKind kind : {DiagramKind::kMedial, DiagramKind::kVoronoi}) {
+    Random random(5);
+    ByRule counts;
+    for (const Scene& scene : scenes(kind)) {
+      EngineContext usual(*scene.geometry, *scene.inside, 1),
+          plain(*scene.geometry, *scene.inside, 1);
+      plain.plain = true;
+      const ByRule before = counts;
+      for (int k = 0; k < 40; ++k) {
+        const Rect r = test::random_rect(random, scene, 0.2);
+        const Range range =
+            Range::of(point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1));
+        std::vector<LocalForm> forms;
+        prune(*scene.geometry, scene.near(r), range, forms, &plain);
+        if (forms.size() > 16) continue;
+        compare_with_rules(usual, forms, range, counts);
+        Rivals without(plain, forms, range);
+        for (std::size_t i = 0; i < forms.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            EXPECT_EQ(without.meet(i, j), may_both_govern(plain, forms[j], forms[i], range));
+      }
+      EXPECT_EQ(usual.counts.rivals,
+                counts.outside + counts.behind - before.outside - before.behind);
+      EXPECT_EQ(plain.counts.rivals, 0u);
+    }
+    std::cout << counts.outside << " pairs apart by domains, " << counts.behind
+              << " more behind a third, " << counts.neither << " not\n";
+    EXPECT_GT(counts.outside, 100u);
+    EXPECT_GT(counts.behind, 100u);
+    EXPECT_GT(counts.neither, 100u);
   }
-  std::cout << fewer << " of " << pairs << " pairs are apart\n";
-  EXPECT_GT(fewer, 100);
 }
 
 TEST(Rivals, SitesThatGovernAPointOfTheRange_AreNotApart_Medial) {
