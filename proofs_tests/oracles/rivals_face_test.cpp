@@ -82,12 +82,18 @@ Counts voronoi(std::uint64_t seed, int rounds, std::size_t most) {
 
 TEST(RivalsFace, MedialDiagrams_AreThoseWithoutItAndOfTheOracle) {
   const Counts c = medial(1, 1, 14);
-  EXPECT_GE(c.oracle, 10);
+  EXPECT_GE(c.oracle, 35);
+  EXPECT_GE(c.rivals, 1000u);
+  EXPECT_LE(c.undecided, 3);
+  EXPECT_LT(c.boxes, c.plain_boxes);
 }
 
 TEST(RivalsFace, VoronoiDiagrams_AreThoseWithoutItAndOfTheOracle) {
-  const Counts c = voronoi(2, 4, 8);
-  EXPECT_GE(c.oracle, 10);
+  const Counts c = voronoi(2, 10, 10);
+  EXPECT_GE(c.oracle, 20);
+  EXPECT_GE(c.rivals, 2000u);
+  EXPECT_LE(c.undecided, 3);
+  EXPECT_LT(c.boxes, c.plain_boxes);
 }
 
 TEST(SweepRivalsFace, MedialDiagrams_AreThoseWithoutItAndOfTheOracle) {
