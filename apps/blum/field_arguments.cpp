@@ -201,8 +201,9 @@ std::string arguments_problem(const FieldArguments& a) {
   if (!a.output.empty() && output_files(a.output).empty()) {
     return "--output: not .vti, .nrrd, .npy or .vdb: " + a.output;
   }
-  if (is_vdb(a.output) && !has_vdb()) {
-    return "--output: this program was built without OpenVDB: " + a.output;
+  if (is_vdb(a.output)) {
+    if (const std::string why = why_no_vdb(); !why.empty())
+      return "--output: " + why + ": " + a.output;
   }
   if (is_vdb(a.output) && a.order > 1) return "--output: a .vdb file holds one value a sample";
   std::vector<fs::path> files = output_files(a.output);

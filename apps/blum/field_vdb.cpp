@@ -12,25 +12,39 @@ namespace blum::app {
 namespace {
 
 #ifdef BLUM_HAS_OPENVDB
+struct Plugin {
+  decltype(&blum_vdb_bytes) bytes_of = nullptr;
+  std::string trouble;
+};
+
+/// Beside the program; stays loaded until the end.
+Plugin load() {
+  std::error_code ignored;
+  const auto file =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / BLUM_VDB_PLUGIN;
+  Plugin p;
+  if (void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); library != nullptr)
+    p.bytes_of = reinterpret_cast<decltype(p.bytes_of)>(dlsym(library, "blum_vdb_bytes"));
+  if (p.bytes_of == nullptr)
+    p.trouble = std::string("cannot load the part for OpenVDB: ") + dlerror();
+  return p;
+}
+
+const Plugin& plugin() {
+  static const Plugin p = load();
+  return p;
+}
+
 std::optional<Error> write_vdb(const FieldImage& image, const std::filesystem::path& file) {
   if (image.order > 1) {
     return Error{ErrorCode::kBadArgument, "a .vdb file holds one value a sample", file.string(),
                  std::nullopt};
   }
-  std::error_code ignored;
-  const auto plugin = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() /
-                      BLUM_VDB_PLUGIN;
-  void* const library = dlopen(plugin.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays until the end
-  const auto bytes_of = library == nullptr ? nullptr
-                                           : reinterpret_cast<decltype(&blum_vdb_bytes)>(
-                                                 dlsym(library, "blum_vdb_bytes"));
-  if (bytes_of == nullptr) {
-    return Error{ErrorCode::kOutputNotWritten,
-                 std::string("the plug-in for .vdb files cannot be loaded: ") + dlerror(),
-                 file.string(), std::nullopt};
+  if (plugin().bytes_of == nullptr) {
+    return Error{ErrorCode::kOutputNotWritten, plugin().trouble, file.string(), std::nullopt};
   }
   std::string bytes;
-  bytes_of(image, bytes);
+  plugin().bytes_of(image, bytes);
   const std::vector<detail::OutputFile> files = {
       {file, [&](detail::OutputStream& out) { out << std::string_view(bytes); }}};
   return detail::write_files(files);
@@ -44,6 +58,14 @@ bool has_vdb() {
   return true;
 #else
   return false;
+#endif
+}
+
+std::string why_no_vdb() {
+#ifdef BLUM_HAS_OPENVDB
+  return plugin().trouble;
+#else
+  return "this program was built without OpenVDB";
 #endif
 }
 

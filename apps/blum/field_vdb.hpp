@@ -3,12 +3,17 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "blum/gpu/field_io.hpp"
 
 namespace blum::app {
 
 [[nodiscard]] bool has_vdb();
+/// Why this run can write no .vdb file (built without OpenVDB, or blum-vdb.so is not beside the
+/// program); empty: it can. Loads OpenVDB.
+[[nodiscard]] std::string why_no_vdb();
 [[nodiscard]] bool is_vdb(const std::filesystem::path& file);
 
 /// The files that write_field_file would write; empty if it does not know the extension.

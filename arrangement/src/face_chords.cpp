@@ -57,7 +57,8 @@ bool FaceEngine::accept_chords(const Box& box, const Border& border,
   std::vector<std::vector<bool>> ties(groups.count, std::vector<bool>(groups.count, false));
   std::vector<std::array<SiteId, 3>> parted;
   const auto find_parting = [&](const LocalForm& a, const LocalForm& c) {
-    if (context_.voronoi() || a.side == 0 || c.side == 0) return false;
+    // Rivals tell more, but a certificate has to name the third face.
+    if (!context_.plain || context_.voronoi() || a.side == 0 || c.side == 0) return false;
     for (const LocalForm& b : forms)
       if (b.site != a.site && b.site != c.site && parted_by(context_.geometry, a, c, b, range)) {
         parted.push_back({a.site, c.site, b.site});

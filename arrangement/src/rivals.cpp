@@ -19,8 +19,17 @@ PairForm linear_form(const Ball& value, const BallVector& gradient) {
   return f;
 }
 
+/// Has the sign of the difference of their distances where these are the heights of faces over
+/// known sides, or else of the carriers.
+PairForm difference_form(EngineContext& context, const LocalForm& a, const LocalForm& c,
+                         bool by_heights, const Range& range) {
+  if (!by_heights) return pair_form(context, a, c, range);
+  return linear_form(with_sign(a.height, a.side) - with_sign(c.height, c.side),
+                     slope_of_heights(context, a, c));
+}
+
 /// What is 0 wherever both govern the same point: a plane where they touch, else the difference of
-/// their squared distances.
+/// their distances or of the squares.
 PairForm tie_form(EngineContext& context, const LocalForm& a, const LocalForm& c,
                   const Range& range) {
   if (context.voronoi()) {
@@ -29,7 +38,7 @@ PairForm tie_form(EngineContext& context, const LocalForm& a, const LocalForm& c
       return linear_form(dot(t.w, difference(range.center, context.geometry.solid().point[t.base])),
                          t.w);
   }
-  return pair_form(context, a, c, range);
+  return difference_form(context, a, c, a.side != 0 && c.side != 0, range);
 }
 
 /// f + t * g.
@@ -109,18 +118,23 @@ bool tie_outside_domains(EngineContext& context, const LocalForm& a, const Local
 
 bool nearer_at_ties(EngineContext& context, const LocalForm& b, const LocalForm& a,
                     const LocalForm& c, const Range& range) {
-  return b.covers && exclude_each_other(pair_form(context, b, a, range),
-                                        tie_form(context, a, c, range), Factor::kAny, range);
+  if (!b.covers) return false;
+  const bool by_heights = a.side != 0 && b.side != 0 && b.covers_side;
+  return exclude_each_other(difference_form(context, b, a, by_heights, range),
+                            tie_form(context, a, c, range), Factor::kAny, range);
 }
 
 bool Rivals::decide(std::size_t i, std::size_t j) {
   const LocalForm &a = forms_[i], &c = forms_[j];
   if (!may_both_govern(context_, a, c, range_)) return false;
   if (context_.plain) return true;
-  if (tie_outside_domains(context_, a, c, range_)) return false;
-  return forms_.size() > kMaxForms || std::ranges::none_of(forms_, [&](const LocalForm& b) {
-           return b.site != a.site && b.site != c.site && nearer_at_ties(context_, b, a, c, range_);
-         });
+  const auto behind = [&](const LocalForm& b) {
+    return b.site != a.site && b.site != c.site && nearer_at_ties(context_, b, a, c, range_);
+  };
+  const bool apart = tie_outside_domains(context_, a, c, range_) ||
+                     (forms_.size() <= kMaxForms && std::ranges::any_of(forms_, behind));
+  context_.counts.rivals += apart;
+  return !apart;
 }
 
 }  // namespace blum

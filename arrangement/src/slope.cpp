@@ -31,6 +31,13 @@ double slope_upper(const PairSlope& slope, const Range& range, const BallVector&
 
 }  // namespace
 
+BallVector slope_of_heights(EngineContext& context, const LocalForm& a, const LocalForm& b) {
+  return a.side != b.side ? signed_difference(context.geometry.unit(a.site), a.side,
+                                              context.geometry.unit(b.site), b.side)
+         : a.side < 0     ? context.unit_difference(b.site, a.site)
+                          : context.unit_difference(a.site, b.site);
+}
+
 PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm& b,
                      const Range& range) {
   PairSlope r;
@@ -46,12 +53,8 @@ PairSlope pair_slope(EngineContext& context, const LocalForm& a, const LocalForm
     }
   }
   if (a.side != 0 && b.side != 0) {
-    // The distances are the heights times their signs, so grad(d_a - d_b) is constant; with equal
-    // signs it is accurate however close the planes are.
-    r.gradient = a.side != b.side ? signed_difference(context.geometry.unit(a.site), a.side,
-                                                      context.geometry.unit(b.site), b.side)
-                 : a.side < 0     ? context.unit_difference(b.site, a.site)
-                                  : context.unit_difference(a.site, b.site);
+    // The distances are the heights times their signs, so grad(d_a - d_b) is constant.
+    r.gradient = slope_of_heights(context, a, b);
     r.constant = true;
     return r;
   }

@@ -26,6 +26,11 @@ struct PairSlope {
 /// Is the derivative along w negative wherever a and b tie? False: undecided.
 [[nodiscard]] bool gains(const PairSlope& slope, const Range& range, const BallVector& w);
 
+/// grad(side_a * height_a - side_b * height_b) of two faces on known sides; with equal sides to a
+/// small relative error however close the planes are.
+[[nodiscard]] BallVector slope_of_heights(EngineContext& context, const LocalForm& a,
+                                          const LocalForm& b);
+
 /// A direction in a plane x[axis] = const or along a line: a vector, or exactly the left normal of
 /// the projection along `axis` of the line from one point of the solid to another.
 struct Direction {

@@ -23,6 +23,11 @@ class Consumer(ToolTest):
         self.command("cmake", "--build", build)
         self.assertIn("certified 1, Betti numbers 1 0 0", self.command(build / "consumer"))
         self.assertIn("blum", self.command(prefix / "bin" / "blum", "--version"))
+        if os.environ.get("BLUM_READ_VDB"):  # its plug-in is installed where it looks for it
+            self.command(prefix / "bin" / "blum", "make", "cuboid", "-o", "box.off")
+            self.command(prefix / "bin" / "blum", "field", "box.off", "--resolution", 4,
+                         "--backend", "cpu", "-o", "box.vdb")
+            self.assertTrue((self.folder / "box.vdb").stat().st_size > 0)
 
     def test_every_public_header_compiles_alone(self):
         prefix = self.folder / "prefix"

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import pathlib
 import re
 import shutil
 import struct
@@ -10,7 +11,7 @@ import subprocess
 import unittest
 import zlib
 
-from tool import SHARED_MODELS, ToolTest, main
+from tool import SHARED_MODELS, TOOL, ToolTest, main
 
 
 def python_with(*modules):
@@ -179,6 +180,32 @@ class Field(ToolTest):
         inside = sum(d < -0.25 for d in self.distances())
         self.assertGreater(inside, 0)
         self.assertEqual(read["inactive_inside"], inside)
+
+    def test_vdb_without_its_plugin_is_refused_before_anything_is_done(self):
+        if not os.environ.get("BLUM_READ_VDB"):
+            self.skipTest("built without OpenVDB")
+        alone = self.folder / "alone"
+        alone.mkdir()
+        shutil.copy(TOOL, alone / "blum")
+
+        def run(output):
+            return subprocess.run([alone / "blum", "field", "box.off", *map(str, self.GRID),
+                                   "--backend", "cpu", "-o", output], cwd=self.folder,
+                                  capture_output=True, encoding="utf-8", timeout=60)
+
+        result = run("box.vdb")
+        self.expect(result, 1)
+        self.assertIn("--output: cannot load the part for OpenVDB: ", result.stderr)
+        self.assertIn("blum-vdb.so", result.stderr)
+        self.assertEqual(self.names(), ["alone", "box.off"])
+        (alone / "blum-vdb.so").write_text("not a library")
+        self.expect(run("box.vdb"), 1)
+        self.assertEqual(self.names(), ["alone", "box.off"])
+        # All else works without.
+        self.expect(run("box.npy"), 0)
+        shutil.copy(pathlib.Path(TOOL).parent / "blum-vdb.so", alone)
+        self.expect(run("box.vdb"), 0)
+        self.assertIn("box.vdb", self.names())
 
     def test_opengl_backends_are_within_their_regret(self):
         ways = [["--method", "fragments"], ["--method", "gather"], ["--method", "havoc"],

@@ -30,6 +30,7 @@ struct EngineCounts {
   std::uint64_t halves = 0;                            ///< faces by FaceProblem::whole
   std::uint64_t slices = 0;                            ///< parts by Theorem S (docs/proofs.md)
   std::uint64_t links = 0;                             ///< parts by the chains at a vertex
+  std::uint64_t rivals = 0;                            ///< pairs told apart by "Rivals" there
   std::uint64_t exact_parts = 0, exact_stretches = 0;  ///< decided by exact algebra
 };
 
