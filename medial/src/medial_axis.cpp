@@ -104,7 +104,7 @@ bool any_undecided(const Subdivision& subdivision) {
 
 /// Leaves that a review finds too coarse are divided into parts of half their size, and parts that
 /// are not fine enough into halves.
-constexpr double kPartOfLeaf = 0.55, kPartOfPart = 0.9;
+constexpr double kPartOfLeaf = 0.9, kPartOfPart = 0.9;
 /// What assembly and review of a finer subdivision may take, times what the last ones took:
 /// dividing ends early enough for both. But it gets this part of the time at least: the review of
 /// few large leaves says little of the next, and one that does not end spoils nothing.

@@ -89,7 +89,7 @@ CellOutcome CellWorker::work(Cell& cell) {
   cell.stuck = cell.candidates.size() < before ? 0 : cell.stuck + 1;
   const bool small =
       cell.candidates.size() <= kMaxCandidates || cell.stuck % kPatience == kPatience - 1;
-  if (small) {
+  if (small && !cell.to_divide) {
     LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
     for (const auto& inherited : cell.face)
       if (inherited) diagrams.adopt(inherited);
