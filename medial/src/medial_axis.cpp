@@ -1,6 +1,7 @@
 #include "blum/medial/medial_axis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -102,9 +103,11 @@ bool any_undecided(const Subdivision& subdivision) {
                      [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
 }
 
-/// Leaves that a review finds too coarse are divided into parts of half their size, and parts that
-/// are not fine enough into halves.
-constexpr double kPartOfLeaf = 0.9, kPartOfPart = 0.9;
+/// Leaves that a review finds too coarse are divided into halves, as are parts of them that are not
+/// fine enough; later reviews find few, and rounds cost more than leaves: into parts of so much of
+/// their size.
+constexpr std::array<double, 3> kPartOfLeaf = {0.9, 0.55, 0.3};
+constexpr double kPartOfPart = 0.9;
 /// What assembly and review of a finer subdivision may take, times what the last ones took:
 /// dividing ends early enough for both. But it gets this part of the time at least: the review of
 /// few large leaves says little of the next, and one that does not end spoils nothing.
@@ -120,7 +123,7 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
   RunWatch& watch = engines.watch();
   StepTimes time{0, assemble_s};
   std::optional<std::pair<Subdivision, Assembly>> before;
-  for (;;) {
+  for (std::size_t round = 0;; ++round) {
     const auto begin = Clock::now();
     const Parts parts = read_parts(assembly.complex);
     ReviewVerdict verdict =
@@ -138,7 +141,8 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
     if (verdict.divide.empty() || undecided || !(left > 0) || watch.look() != Stop::kNone)
       return verdict;
     const auto middle = Clock::now();
-    Refinement refinement{verdict.divide, kPartOfLeaf, verdict.fine_enough, kPartOfPart};
+    Refinement refinement{verdict.divide, kPartOfLeaf[std::min(round, kPartOfLeaf.size() - 1)],
+                          verdict.fine_enough, kPartOfPart};
     if (std::isfinite(left))
       refinement.deadline =
           middle + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
