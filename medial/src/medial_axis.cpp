@@ -203,8 +203,11 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.time.subdivide_s = seconds_since(start);
 
   const auto middle = std::chrono::steady_clock::now();
-  watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
+  const double extension = std::max(kLeastExtension, kExtension * options.time_limit_s);
+  watch.extend(extension);
   Assembly assembly = assemble(geometry, subdivided.value(), engines);
+  // What was not needed is taken back, unless the first review needs it.
+  if (watch.remaining_s() > 2 * extension) watch.extend(-extension);
   result.time.assemble_s = seconds_since(middle);
   std::optional<ReviewVerdict> verdict;
   if (review && !assembly.stopped)
