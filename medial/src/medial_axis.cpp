@@ -29,6 +29,9 @@ namespace {
 
 // What is added to the time limit for the assembly: a part of it, at least so many seconds.
 constexpr double kExtension = 0.05, kLeastExtension = 0.5;
+// What a reviewed run keeps of its time for the end (Betti numbers, files): times what the assembly
+// took, but at most this part of what is left.
+constexpr double kFinish = 2, kMostFinish = 0.1;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -210,9 +213,14 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (watch.remaining_s() > 2 * extension) watch.extend(-extension);
   result.time.assemble_s = seconds_since(middle);
   std::optional<ReviewVerdict> verdict;
-  if (review && !assembly.stopped)
+  if (review && !assembly.stopped) {
+    const double finish = std::max(
+        0.0, std::min(kFinish * result.time.assemble_s, kMostFinish * watch.remaining_s()));
+    watch.extend(-finish);
     verdict = review_and_refine(geometry, used, engines, review, result.time.assemble_s,
                                 subdivided.value(), assembly);
+    watch.extend(finish);
+  }
   // Where the review has used up the time, what follows is about a complex that is there.
   if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();

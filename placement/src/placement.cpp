@@ -207,8 +207,8 @@ ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis, std::size_t&
                    [](const Task* a, const Task* b) { return a->bound.bound > b->bound.bound; });
   ReviewVerdict verdict;
   // Once, leaves are divided that place points badly though the bound is reached.
-  if (failed > 0 || report.round.empty())
-    for (const Task* task : coarse) verdict.divide.push_back(task->leaf);
+  for (const Task* task : coarse)
+    if (task->bound.bound > target() || report.round.empty()) verdict.divide.push_back(task->leaf);
   for (const BoundTools& t : tools) {
     report.boxes += t.boxes;
     report.points += t.points;
