@@ -42,8 +42,8 @@ class SiteTree {
   /// Of the boundary. The cheapest query: ties need not be decided.
   [[nodiscard]] SquaredDistanceBounds squared_distance(const Point3& q) const;
   [[nodiscard]] NearestTriangle nearest(const Point3& q) const;
-  /// All triangles at the least distance, and perhaps others whose enclosures overlap that of it: no
-  /// exact arithmetic is used. In an order that depends on the tree.
+  /// All triangles at the least distance, and perhaps others whose enclosures overlap that of it:
+  /// no exact arithmetic is used. In an order that depends on the tree.
   [[nodiscard]] std::vector<TriangleDistance> possibly_nearest(const Point3& q) const;
   /// All triangles at exactly the least distance, in increasing order.
   [[nodiscard]] std::vector<std::uint32_t> all_nearest(const Point3& q) const;
