@@ -23,11 +23,6 @@ double squared_distance_below(const Point3& q, const Box3& box) {
   return std::max(0.0, sum * (1 - 1e-15) - 1e-300);
 }
 
-struct Candidate {
-  std::uint32_t triangle;
-  SquaredDistanceBounds bounds;
-};
-
 }  // namespace
 
 struct SiteTree::Impl {
@@ -68,8 +63,8 @@ struct SiteTree::Impl {
   }
 
   /// All triangles that the double bounds do not rule out as nearest.
-  std::vector<Candidate> candidates(const Point3& q) const {
-    std::vector<Candidate> out;
+  std::vector<TriangleDistance> candidates(const Point3& q) const {
+    std::vector<TriangleDistance> out;
     double best = std::numeric_limits<double>::infinity();
     search(
         q, [&] { return best; },
@@ -79,7 +74,7 @@ struct SiteTree::Impl {
           best = std::min(best, b.hi);
           out.push_back({t, b});
         });
-    std::erase_if(out, [&](const Candidate& c) { return c.bounds.lo > best; });
+    std::erase_if(out, [&](const TriangleDistance& c) { return c.squared.lo > best; });
     return out;
   }
 
@@ -132,12 +127,20 @@ SquaredDistanceBounds SiteTree::squared_distance(const Point3& q) const {
   return out;
 }
 
+std::vector<TriangleDistance> SiteTree::possibly_nearest(const Point3& q) const {
+  if (impl_->engine == TreeEngine::kTree) return impl_->candidates(q);
+  std::vector<TriangleDistance> out;
+  for (const auto t : all_nearest(q))
+    out.push_back({t, squared_distance_to_triangle(q, impl_->triangle[t])});
+  return out;
+}
+
 std::vector<std::uint32_t> SiteTree::all_nearest(const Point3& q) const {
   std::vector<std::uint32_t> among;
   if (impl_->engine == TreeEngine::kBruteForce) {
     for (std::uint32_t t = 0; t < impl_->triangle.size(); ++t) among.push_back(t);
   } else {
-    for (const Candidate& c : impl_->candidates(q)) among.push_back(c.triangle);
+    for (const TriangleDistance& c : impl_->candidates(q)) among.push_back(c.triangle);
   }
   return impl_->exactly_nearest(q, among);
 }

@@ -1,6 +1,7 @@
 #include "blum/medial/medial_axis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -29,6 +30,9 @@ namespace {
 
 // What is added to the time limit for the assembly: a part of it, at least so many seconds.
 constexpr double kExtension = 0.05, kLeastExtension = 0.5;
+// What a reviewed run keeps of its time for the end (Betti numbers, files): times what the assembly
+// took, but at most this part of what is left.
+constexpr double kFinish = 2, kMostFinish = 0.1;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -106,9 +110,11 @@ bool any_undecided(const Subdivision& subdivision) {
                      [](const Leaf& leaf) { return leaf.theorem == LeafTheorem::kUndecided; });
 }
 
-/// Leaves that a review finds too coarse are divided into parts of half their size, and parts that
-/// are not fine enough into halves.
-constexpr double kPartOfLeaf = 0.55, kPartOfPart = 0.9;
+/// Leaves that a review finds too coarse are divided into halves, as are parts of them that are not
+/// fine enough; later reviews find few, and rounds cost more than leaves: into parts of so much of
+/// their size.
+constexpr std::array<double, 3> kPartOfLeaf = {0.9, 0.55, 0.3};
+constexpr double kPartOfPart = 0.9;
 /// What assembly and review of a finer subdivision may take, times what the last ones took:
 /// dividing ends early enough for both. But it gets this part of the time at least: the review of
 /// few large leaves says little of the next, and one that does not end spoils nothing.
@@ -124,7 +130,7 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
   RunWatch& watch = engines.watch();
   StepTimes time{0, assemble_s};
   std::optional<std::pair<Subdivision, Assembly>> before;
-  for (;;) {
+  for (std::size_t round = 0;; ++round) {
     const auto begin = Clock::now();
     const Parts parts = read_parts(assembly.complex);
     ReviewVerdict verdict =
@@ -142,7 +148,8 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
     if (verdict.divide.empty() || undecided || !(left > 0) || watch.look() != Stop::kNone)
       return verdict;
     const auto middle = Clock::now();
-    Refinement refinement{verdict.divide, kPartOfLeaf, verdict.fine_enough, kPartOfPart};
+    Refinement refinement{verdict.divide, kPartOfLeaf[std::min(round, kPartOfLeaf.size() - 1)],
+                          verdict.fine_enough, kPartOfPart};
     if (std::isfinite(left))
       refinement.deadline =
           middle + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
@@ -203,13 +210,21 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.time.subdivide_s = seconds_since(start);
 
   const auto middle = std::chrono::steady_clock::now();
-  watch.extend(std::max(kLeastExtension, kExtension * options.time_limit_s));
+  const double extension = std::max(kLeastExtension, kExtension * options.time_limit_s);
+  watch.extend(extension);
   Assembly assembly = assemble(geometry, subdivided.value(), engines);
+  // What was not needed is taken back, unless the first review needs it.
+  if (watch.remaining_s() > 2 * extension) watch.extend(-extension);
   result.time.assemble_s = seconds_since(middle);
   std::optional<ReviewVerdict> verdict;
-  if (review && !assembly.stopped)
+  if (review && !assembly.stopped) {
+    const double finish = std::max(
+        0.0, std::min(kFinish * result.time.assemble_s, kMostFinish * watch.remaining_s()));
+    watch.extend(-finish);
     verdict = review_and_refine(geometry, used, engines, review, result.time.assemble_s,
                                 subdivided.value(), assembly);
+    watch.extend(finish);
+  }
   // Where the review has used up the time, what follows is about a complex that is there.
   if (watch.look() == Stop::kTime && !assembly.stopped) watch.extend(kLeastExtension);
   watch.rethrow();

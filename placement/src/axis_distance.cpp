@@ -19,22 +19,19 @@ constexpr double kRelative = 1e-14;
 }  // namespace
 
 AxisDistance::Feet AxisDistance::feet(const Point3& p) const {
-  const SquaredDistanceBounds least = tree_.squared_distance(p);
+  const std::vector<TriangleDistance> nearest = tree_.possibly_nearest(p);
+  double least = std::numeric_limits<double>::infinity();
+  for (const TriangleDistance& t : nearest) least = std::min(least, t.squared.lo);
   Feet f;
-  f.distance = std::sqrt(least.lo) * (1 - kRelative);
+  f.distance = std::sqrt(least) * (1 - kRelative);
   bool first = true;
-  for (const auto t : tree_.within(p, least.hi)) {
-    const Solid& solid = geometry_.solid();
-    std::array<Point3, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k)
-      corner[k] = solid.point[solid.triangle[t].vertex[static_cast<int>(k)]];
-    const SquaredDistanceBounds bounds = squared_distance_to_triangle(p, corner);
-    if (bounds.lo > least.hi) continue;
-    const Point3 y = closest_point(geometry_, geometry_.index().face(t), p);
+  for (const TriangleDistance& t : nearest) {
+    const Point3 y = closest_point(geometry_, geometry_.index().face(t.triangle), p);
     // The triangle is convex: |y - foot|^2 <= |y - p|^2 - |foot - p|^2 for a point y of it.
     const double reach = distance_between(p, y) * (1 + kRelative) + kOnSite;
     const double off =
-        std::sqrt(std::max(0.0, reach * reach - bounds.lo) + kRelative * reach * reach) + kOnSite;
+        std::sqrt(std::max(0.0, reach * reach - t.squared.lo) + kRelative * reach * reach) +
+        kOnSite;
     if (first) f.center = y;
     f.radius = std::max(f.radius, (distance_between(f.center, y) + off) * (1 + kRelative));
     first = false;

@@ -23,8 +23,12 @@ class AxisDistance {
   [[nodiscard]] std::optional<double> at_most(const Point3& p, const SiteGroup& a,
                                               const SiteGroup& b) const;
 
-  /// The same for a point in the leaf, up to `most`, where the feet of two faces are so near to
-  /// each other that only exact governors tell the sides: sheets of tiny angle.
+  /// Has the axis a point within `most` of p? Asks for the feet of p and of some points about it,
+  /// whatever sheets are there: the cheapest answer. False: not shown.
+  [[nodiscard]] bool is_within(const Point3& p, double most) const;
+
+  /// The same as `at_most` for a point in the leaf, up to `most`, where the feet of two faces are
+  /// so near to each other that only exact governors tell the sides: sheets of tiny angle.
   [[nodiscard]] std::optional<double> exactly_at_most(const Point3& p, const SiteGroup& a,
                                                       const SiteGroup& b, const LeafSides& leaf,
                                                       double most) const;
@@ -43,6 +47,11 @@ class AxisDistance {
     double distance = 0;  ///< of the point from the boundary, at least
   };
   [[nodiscard]] Feet feet(const Point3& p) const;
+  /// Does the axis meet the ray from the point with these feet, away from them, up to `reach`?
+  [[nodiscard]] bool ends_ahead(const Point3& p, const Feet& at_p, double reach) const;
+  /// Does it meet a segment between points of the circle about p, across the same ray?
+  [[nodiscard]] bool parts_around(const Point3& p, const Feet& at_p, const Point3& ray,
+                                  double radius) const;
 
   const SiteGeometry& geometry_;
   ProductionEngine& engine_;

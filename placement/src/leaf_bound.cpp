@@ -48,15 +48,19 @@ struct Anchor {
   double distance = 0;
 };
 
+/// What the distance from a triangle to the axis may be shown by.
+enum class Ways : std::uint8_t { kOwnSides, kAnySides };
+
 /// Largest distance from a triangle of the complex to the axis.
 class TriangleBound {
  public:
   /// Distances may go by way of the anchors.
-  TriangleBound(BoundTools& tools, const LeafSides& leaf, double target,
+  TriangleBound(BoundTools& tools, const LeafSides& leaf, double target, Ways ways,
                 const std::vector<Anchor>& anchors)
       : tools_(tools),
         leaf_(leaf),
         target_(target),
+        ways_(ways),
         anchors_(anchors),
         distance_(tools.geometry, tools.engine, tools.tree, tools.inside) {}
 
@@ -70,8 +74,9 @@ class TriangleBound {
       const Point3 center = (1.0 / 3) * (part[0] + part[1] + part[2]);
       const double reach = radius_about(center, part);
       ++tools_.points;
-      if (reach + kRounding < target_) {
-        const double off = from_axis(center, t, target_ - reach) + reach + kRounding;
+      if (reach + 2 * kRounding < target_) {
+        const double off =
+            from_axis(center, t, target_ - reach - 2 * kRounding) + reach + kRounding;
         if (off <= target_) {
           most = std::max(most, off);
           continue;
@@ -90,6 +95,7 @@ class TriangleBound {
 
  private:
   double from_axis(const Point3& p, const LeafTriangle& t, double most) {
+    if (ways_ == Ways::kAnySides && distance_.is_within(p, most)) return most;
     double best = std::numeric_limits<double>::infinity();
     if (const auto d = distance_.at_most(p, t.a, t.b)) best = *d;
     for (std::size_t k = 0; k < 3; ++k)
@@ -111,6 +117,7 @@ class TriangleBound {
   BoundTools& tools_;
   const LeafSides& leaf_;
   const double target_;
+  const Ways ways_;
   const std::vector<Anchor>& anchors_;
   AxisDistance distance_;
 };
@@ -187,8 +194,8 @@ std::optional<double> axis_bound(BoundTools& tools, const LeafSides& leaf,
 
 std::optional<double> bound_from(BoundTools& tools, const LeafSides& leaf,
                                  const std::vector<LeafTriangle>& triangles, double target,
-                                 const std::vector<Anchor>& anchors) {
-  TriangleBound from_triangles(tools, leaf, target, anchors);
+                                 Ways ways, const std::vector<Anchor>& anchors) {
+  TriangleBound from_triangles(tools, leaf, target, ways, anchors);
   double most = 0;
   for (const LeafTriangle& t : triangles) {
     const auto bound = from_triangles.run(t);
@@ -204,7 +211,10 @@ std::optional<double> bound_from(BoundTools& tools, const LeafSides& leaf,
 
 std::optional<double> bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
                                     const std::vector<LeafTriangle>& triangles, double target) {
-  return bound_from(tools, leaf, triangles, target, {});
+  const bool well_placed = std::all_of(triangles.begin(), triangles.end(),
+                                       [](const LeafTriangle& t) { return t.well_placed; });
+  return bound_from(tools, leaf, triangles, target, well_placed ? Ways::kAnySides : Ways::kOwnSides,
+                    {});
 }
 
 LeafBound least_bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
@@ -213,9 +223,9 @@ LeafBound least_bound_in_leaf(BoundTools& tools, const LeafSides& leaf,
   if (!(target < diameter)) return {diameter, diameter <= target};
   if (const auto bound = bound_in_leaf(tools, leaf, triangles, target)) return {*bound, true};
   const std::vector<Anchor> anchors = anchors_of(tools, triangles);
-  for (double most = 2 * target; most < diameter && !tools.stop; most *= 2)
-    if (const auto bound = bound_from(tools, leaf, triangles, most, anchors))
-      return {*bound, *bound <= target};
+  for (double most = target; most < diameter && !tools.stop; most *= 2)
+    if (const auto bound = bound_from(tools, leaf, triangles, most, Ways::kAnySides, anchors))
+      return {*bound, false};
   return {diameter, false};
 }
 

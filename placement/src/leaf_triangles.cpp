@@ -10,14 +10,17 @@ std::vector<LeafTriangle> leaf_triangles(const Frame& frame, const AxisMesh& mes
     const ComplexTriangle& triangle = mesh.complex.triangle[t];
     LeafTriangle l;
     const auto corner = corners(mesh.complex, triangle);
+    bool placed = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const ComplexVertex& v = mesh.complex.vertex[corner[k]];
       l.corner[k] = frame.to_working(v.position);
       l.on_rim[k] = v.on_axis && v.radius == 0;
+      placed = placed && v.on_axis;
     }
     const auto side = sides.sides_of(triangle.governors);
     l.a = side.front();
     l.b = side.back();
+    l.well_placed = placed && side.size() > 1;
     list.push_back(std::move(l));
   }
   return list;

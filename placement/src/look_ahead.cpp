@@ -16,7 +16,8 @@ bool fine_enough(const SiteGeometry& geometry, const Leaf& leaf, EngineSet& engi
   if (complex.triangle.empty()) return true;  // not to be told here
   const Parts parts = read_parts(complex);
   const ConeSides sides(complex.cone.size(), std::make_shared<const LeafSides>(geometry, leaf));
-  std::ignore = place_points(geometry, engines.inside(), parts, sides, complex, 1);
+  std::ignore = place_points(geometry, engines.inside(), parts, sides, complex,
+                             {.stop = &engines.watch().flag()});
   const AxisMesh mesh = mesh_of(geometry, engines.inside(), complex, parts, sides,
                                 {.edge_length = look.edge_length, .stop = &engines.watch().flag()});
   std::vector<std::uint32_t> all(mesh.triangle.size());

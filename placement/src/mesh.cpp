@@ -42,7 +42,7 @@ class Mesher {
     };
     mesh_.complete = false;
     for (int round = 0; round < kMostRounds && !mesh_.complete && may_go_on(); ++round)
-      mesh_.complete = !halve_edges_longer_than(options.edge_length, options.threads);
+      mesh_.complete = !halve_edges(options);
     return std::move(mesh_);
   }
 
@@ -52,7 +52,8 @@ class Mesher {
     std::array<std::uint32_t, 2> edge{};  ///< towards the edge's vertex[0] and vertex[1]
   };
 
-  bool halve_edges_longer_than(double edge_length, int threads);
+  /// Those that are too long; false: none is. All or, when it is stopped, none.
+  bool halve_edges(const MeshOptions& options);
   void find_neighbours();
   [[nodiscard]] bool on_rim(std::uint32_t edge) const;
   struct Middle {
@@ -84,7 +85,8 @@ void Mesher::find_neighbours() {
     for (const auto e : mesh_.complex.triangle[t].edge) beside_[e].push_back(t);
 }
 
-bool Mesher::halve_edges_longer_than(double edge_length, int threads) {
+bool Mesher::halve_edges(const MeshOptions& options) {
+  const auto stopped = [&] { return options.stop != nullptr && *options.stop; };
   find_neighbours();
   const auto edges = static_cast<std::uint32_t>(mesh_.complex.edge.size());
   const auto triangles = static_cast<std::uint32_t>(mesh_.complex.triangle.size());
@@ -92,12 +94,14 @@ bool Mesher::halve_edges_longer_than(double edge_length, int threads) {
   std::vector<std::uint32_t> too_long;
   for (std::uint32_t e = 0; e < edges; ++e) {
     const auto [a, b] = mesh_.complex.edge[e].vertex;
-    if (distance_between(position_[a], position_[b]) > edge_length) too_long.push_back(e);
+    if (distance_between(position_[a], position_[b]) > options.edge_length) too_long.push_back(e);
   }
   if (too_long.empty()) return false;
   std::vector<Middle> middles(too_long.size());
-  for_each_in_parallel(threads, too_long.size(),
-                       [&](int, std::size_t k) { middles[k] = middle_of(too_long[k]); });
+  for_each_in_parallel(options.threads, too_long.size(), [&](int, std::size_t k) {
+    if (!stopped()) middles[k] = middle_of(too_long[k]);
+  });
+  if (stopped()) return true;
   for (std::size_t k = 0; k < too_long.size(); ++k) {
     const auto e = too_long[k];
     half_[e].vertex = static_cast<std::uint32_t>(position_.size());

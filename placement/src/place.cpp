@@ -43,7 +43,7 @@ class Placer {
          const ConeSides& sides, CellComplex& complex)
       : geometry_(geometry), inside_(inside), parts_(parts), sides_(sides), complex_(complex) {}
 
-  PlacedPoints run(int threads) {
+  PlacedPoints run(const PlaceOptions& options) {
     std::vector<std::vector<std::uint32_t>> of_cone(complex_.cone.size()),
         at(complex_.vertex.size());
     for (std::uint32_t t = 0; t < complex_.triangle.size(); ++t) {
@@ -66,7 +66,8 @@ class Placer {
       if (complex_.cone[c].boundary_vertex == ComplexCone::kNone)
         tasks.push_back({complex_.cone[c].apex, &of_cone[c], true});
     // A task reads and writes no vertex but its own.
-    for_each_in_parallel(threads, tasks.size(), [&](int, std::size_t k) {
+    for_each_in_parallel(options.threads, tasks.size(), [&](int, std::size_t k) {
+      if (options.stop != nullptr && *options.stop) return;
       tasks[k].choice = place(tasks[k].vertex, *tasks[k].triangles);
     });
     PlacedPoints count;
@@ -119,8 +120,8 @@ class Placer {
 
 PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
                           const Parts& parts, const ConeSides& sides, CellComplex& complex,
-                          int threads) {
-  return Placer(geometry, inside, parts, sides, complex).run(threads);
+                          const PlaceOptions& options) {
+  return Placer(geometry, inside, parts, sides, complex).run(options);
 }
 
 }  // namespace blum

@@ -1,6 +1,7 @@
 /// Moves the points of a complex onto the axis.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 
 #include "blum/kernel/inside.hpp"
@@ -19,12 +20,17 @@ struct PlacedPoints {
       0;  ///< vertices that are not known to be on the axis (on_axis == false)
 };
 
+struct PlaceOptions {
+  const std::atomic<bool>* stop = nullptr;  ///< points that are left when it becomes true stay
+  int threads = 1;                          ///< the places do not depend on it
+};
+
 /// Each apex goes to a point of its leaf that is equally far from all sides of the leaf (a point of
 /// its sheet, seam, junction or degenerate junction); where none is found, to one on a seam or a
 /// sheet over its base; else it stays. A cluster of events that is not on the axis goes to such a
-/// point on its leaves' common face. Other vertices stay. The same for any number of threads.
+/// point on its leaves' common face. Other vertices stay.
 [[nodiscard]] PlacedPoints place_points(const SiteGeometry& geometry, const InsideOracle& inside,
                                         const Parts& parts, const ConeSides& sides,
-                                        CellComplex& complex, int threads);
+                                        CellComplex& complex, const PlaceOptions& options);
 
 }  // namespace blum

@@ -50,7 +50,8 @@ struct AxisPlacement::Impl {
   }
 
   ReviewVerdict look(const AssembledAxis& axis);
-  ReviewVerdict bound(const AssembledAxis& axis);
+  /// `failed`: leaves whose bound is too large.
+  ReviewVerdict bound(const AssembledAxis& axis, std::size_t& failed);
   [[nodiscard]] double target() const {
     return solid.frame.length_to_working(options.epsilon) * (1 - kSlack);
   }
@@ -100,7 +101,8 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   round.refine_s = axis.time.refine_s;
   round.assemble_s = axis.time.assemble_s;
   const PlacedPoints placed =
-      place_points(geometry, inside, axis.parts, sides, axis.complex, threads);
+      place_points(geometry, inside, axis.parts, sides, axis.complex,
+                   {.stop = &axis.engines.watch().flag(), .threads = threads});
   report.place_s += round.place_s = clock.lap();
   report.moved = placed.moved;
   report.on_part = placed.on_part;
@@ -110,10 +112,11 @@ ReviewVerdict AxisPlacement::Impl::look(const AssembledAxis& axis) {
   report.unconverged = placed.unconverged + mesh.unconverged;
   report.mesh_s += round.mesh_s = clock.lap();
   ReviewVerdict verdict{{}, std::numeric_limits<double>::infinity(), {}};
-  if (!axis.undecided) verdict = bound(axis);
+  std::size_t failed = 0;
+  if (!axis.undecided) verdict = bound(axis, failed);
   report.bound_s += round.bound_s = clock.lap();
   round.bound = report.bound = verdict.hausdorff_bound;
-  round.failed = verdict.divide.size();
+  round.failed = failed;
   round.since_start_s = Clock(since_start).lap();
   report.round.push_back(round);
   report.reached = !(options.epsilon > 0) || report.bound <= options.epsilon;
@@ -142,7 +145,7 @@ std::function<bool(const Leaf&, int)> AxisPlacement::Impl::look_ahead(const Asse
   };
 }
 
-ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
+ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis, std::size_t& failed) {
   const auto& leaves = axis.subdivision.leaf;
   std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // by leaf
   for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
@@ -189,19 +192,23 @@ ReviewVerdict AxisPlacement::Impl::bound(const AssembledAxis& axis) {
                                                          of_leaf, list, target(), task.diameter);
   });
   std::map<LeafKey, LeafBound> now;
-  std::vector<const Task*> failed;
+  std::vector<const Task*> coarse;
+  failed = 0;
   for (Task& task : tasks) {
     most = std::max(most, task.bound.bound);
-    if (!task.bound.reached) failed.push_back(&task);
+    failed += task.bound.bound > target() ? 1 : 0;
+    if (!task.bound.fine_enough) coarse.push_back(&task);
     if (task.bound.bound >= task.diameter) ++report.leaves_by_diameter;
     now.emplace(std::move(task.key), task.bound);
   }
   // What was not looked at for want of time is not known.
   if (!axis.engines.watch().flag()) known = std::move(now);
-  std::stable_sort(failed.begin(), failed.end(),
+  std::stable_sort(coarse.begin(), coarse.end(),
                    [](const Task* a, const Task* b) { return a->bound.bound > b->bound.bound; });
   ReviewVerdict verdict;
-  for (const Task* task : failed) verdict.divide.push_back(task->leaf);
+  // Once, leaves are divided that place points badly though the bound is reached.
+  for (const Task* task : coarse)
+    if (task->bound.bound > target() || report.round.empty()) verdict.divide.push_back(task->leaf);
   for (const BoundTools& t : tools) {
     report.boxes += t.boxes;
     report.points += t.points;

@@ -85,6 +85,14 @@ void expect_agreement(const PolygonMesh& m, unsigned seed, int queries) {
     const std::vector<std::uint32_t> nearest = tree.all_nearest(q);
     ASSERT_EQ(nearest, brute.all_nearest(q));
     ties += nearest.size() > 1;
+    std::vector<std::uint32_t> possibly;
+    for (const TriangleDistance& t : tree.possibly_nearest(q)) possibly.push_back(t.triangle);
+    std::sort(possibly.begin(), possibly.end());
+    ASSERT_TRUE(std::includes(possibly.begin(), possibly.end(), nearest.begin(), nearest.end()));
+    for (const TriangleDistance& t : brute.possibly_nearest(q)) {
+      ASSERT_TRUE(std::binary_search(nearest.begin(), nearest.end(), t.triangle));
+      ASSERT_LE(t.squared.lo, t.squared.hi);
+    }
     const NearestTriangle n = tree.nearest(q);
     ASSERT_EQ(n.triangle, nearest.front());
     const SquaredDistanceBounds d = tree.squared_distance(q);

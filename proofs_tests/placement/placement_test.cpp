@@ -6,6 +6,7 @@
 #include "blum/placement/feet.hpp"
 #include "blum/placement/reconstruction.hpp"
 #include "blum/placement/smooth.hpp"
+#include "place.hpp"
 #include "placement/placement_tools.hpp"
 
 namespace blum {
@@ -93,6 +94,71 @@ TEST(Placement, SameForAnyNumberOfThreads) {
     for (const auto& v : placement.mesh().complex.vertex) points.push_back(v.position);
     if (first.empty()) first = points;
     EXPECT_EQ(points, first);
+  }
+}
+
+TEST(Placement, Stopped_PointsStay) {
+  const Solid solid = test::solid_of(shapes::lpocket());
+  const AxisReview review = [&](const AssembledAxis& axis) {
+    ConeSides sides;
+    for (const ComplexCone& c : axis.complex.cone)
+      sides.push_back(
+          std::make_shared<const LeafSides>(axis.geometry, axis.subdivision.leaf[c.leaf]));
+    const auto place = [&](CellComplex& complex, bool stop) {
+      const std::atomic<bool> flag = stop;
+      return place_points(axis.geometry, axis.engines.inside(), axis.parts, sides, complex,
+                          {.stop = &flag});
+    };
+    const auto positions = [](const CellComplex& complex) {
+      std::vector<Point3> points;
+      for (const auto& v : complex.vertex) points.push_back(v.position);
+      return points;
+    };
+    CellComplex stopped = axis.complex, placed = axis.complex;
+    const PlacedPoints none = place(stopped, true), some = place(placed, false);
+    EXPECT_EQ(none.moved + none.on_part, 0u);
+    EXPECT_GT(some.moved + some.on_part, 0u);
+    EXPECT_GT(none.unconverged, some.unconverged);
+    EXPECT_EQ(positions(stopped), positions(axis.complex));
+    EXPECT_NE(positions(placed), positions(axis.complex));
+    const std::atomic<bool> flag = true;
+    EXPECT_FALSE(mesh_of(axis.geometry, axis.engines.inside(), axis.complex, axis.parts, sides,
+                         {.edge_length = 0.01, .stop = &flag})
+                     .complete);
+    return ReviewVerdict{};
+  };
+  ASSERT_TRUE(compute_medial_axis(solid, test::seeded(1), {}, {}, review));
+}
+
+TEST(Placement, WithEpsilon_BettiNumbersStay_AndThreadsDoNotMatter) {
+  for (const auto& scene :
+       {test::Scene{"lpocket", shapes::lpocket()}, test::Scene{"plate", shapes::plate(2, 6)},
+        test::Scene{"voids", shapes::nested_voids(1)}}) {
+    SCOPED_TRACE(scene.name);
+    const Solid solid = test::solid_of(scene.mesh);
+    const auto plain = compute_medial_axis(solid, test::seeded(1));
+    ASSERT_TRUE(plain);
+    std::vector<Point3> first;
+    double bound = 0;
+    for (const int threads : {1, 2}) {
+      AxisPlacement placement(solid, {0.05 * test::extent(test::model_points(solid)), 0});
+      MedialOptions options = test::seeded(1);
+      options.threads = threads;
+      const auto axis = compute_medial_axis(solid, options, {}, {}, placement.review());
+      ASSERT_TRUE(axis);
+      EXPECT_TRUE(placement.report().reached);
+      EXPECT_GT(axis.value().leaves, plain.value().leaves);
+      EXPECT_EQ(axis.value().betti, plain.value().betti);
+      EXPECT_EQ(placement.realized(axis.value()).betti, solid.betti());
+      std::vector<Point3> points;
+      for (const auto& v : placement.mesh().complex.vertex) points.push_back(v.position);
+      if (threads == 1) {
+        first = points;
+        bound = placement.report().bound;
+      }
+      EXPECT_EQ(points, first);
+      EXPECT_EQ(placement.report().bound, bound);
+    }
   }
 }
 

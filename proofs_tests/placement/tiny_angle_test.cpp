@@ -76,6 +76,7 @@ Fold fold_of(const PolygonMesh& mesh) {
 
 struct Tally {
   std::size_t near = 0, nothing = 0;
+  std::size_t within = 0;  ///< by feet alone
 };
 
 /// Points in the part of the solid where nothing but the two faces and the ridge is near, and what
@@ -103,6 +104,9 @@ void look(const Fold& fold, std::mt19937& random, Tally& tally) {
       const Point3 p = fold.at({(rest - along) / 2, (rest + along) / 2, std::max(-aside, 0.0),
                                 std::max(aside, 0.0), depth});
       const double most = 0.03 * wide * length(fold.solid.point[2] - fold.solid.point[3]) / 2;
+      const bool within = distance.is_within(p, most);
+      EXPECT_TRUE(!within || (is_convex && fold.distance_from_bisector(p) <= most));
+      tally.within += within ? 1 : 0;
       for (const Leaf& leaf : axis.subdivision.leaf) {
         if (!contains(leaf.box, p)) continue;
         const LeafSides sides(axis.geometry, leaf);
@@ -145,6 +149,8 @@ TEST(TinyAngle, WhatIsSaidToBeNear_IsWithinTheDistanceOfTheExactBisector) {
   EXPECT_GT(convex.near, convex.nothing / 4);
   EXPECT_GT(convex.near, 300u);
   EXPECT_EQ(others.near, 0u);
+  EXPECT_EQ(others.within, 0u);
+  EXPECT_GT(convex.within, 0u);
   EXPECT_GT(others.nothing, 500u);
   std::printf("convex: %zu near, %zu nothing; flat and reflex: %zu nothing\n", convex.near,
               convex.nothing, others.nothing);

@@ -89,7 +89,7 @@ CellOutcome CellWorker::work(Cell& cell) {
   const bool small = options_.max_candidates == 0 ||
                      cell.candidates.size() <= options_.max_candidates ||
                      cell.stuck % kPatience == kPatience - 1;
-  if (small) {
+  if (small && !cell.to_divide) {
     LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
     for (const auto& inherited : cell.face)
       if (inherited) diagrams.adopt(inherited);

@@ -28,6 +28,8 @@ struct Cell {
   int stuck = 0;  ///< bisections since a candidate was lost
   /// Of the leaves in it that meet the axis, working units.
   double largest_diameter = std::numeric_limits<double>::infinity();
+  bool to_divide =
+      false;  ///< accepted and with axis, but to be divided: it need not be tested again
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,

@@ -11,6 +11,7 @@ Cell Subdivider::cell_of(const Leaf& leaf, std::uint32_t node, int depth, double
   cell.node = node;
   cell.box = leaf.box;
   cell.depth = depth;
+  cell.to_divide = true;
   cell.largest_diameter = fraction * diameter(leaf.box);
   cell.candidates = leaf.candidates;
   cell.triangles = leaf.triangles;

@@ -16,6 +16,11 @@ struct SquaredDistanceBounds {
   double lo = 0, hi = 0;
 };
 
+struct TriangleDistance {
+  std::uint32_t triangle = 0;
+  SquaredDistanceBounds squared;
+};
+
 struct NearestTriangle {
   std::uint32_t triangle = 0;  ///< smallest index among the exactly nearest ones
   Point3 foot;                 ///< its point nearest to the query, rounded
@@ -37,6 +42,9 @@ class SiteTree {
   /// Of the boundary. The cheapest query: ties need not be decided.
   [[nodiscard]] SquaredDistanceBounds squared_distance(const Point3& q) const;
   [[nodiscard]] NearestTriangle nearest(const Point3& q) const;
+  /// All triangles at the least distance, and perhaps others whose enclosures overlap that of it:
+  /// no exact arithmetic is used. In an order that depends on the tree.
+  [[nodiscard]] std::vector<TriangleDistance> possibly_nearest(const Point3& q) const;
   /// All triangles at exactly the least distance, in increasing order.
   [[nodiscard]] std::vector<std::uint32_t> all_nearest(const Point3& q) const;
   /// All triangles with squared distance <= squared_radius, in increasing order.
