@@ -171,6 +171,44 @@ bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm&
   return true;
 }
 
+/// end[i] of a less end[j] of b, the fans of two edges.
+BallVector end_difference(EngineContext& context, const Fan& a, std::size_t i, const Fan& b,
+                          std::size_t j) {
+  return context.unit_difference(*b.face[j], *a.face[i]);  // the ends are inner normals
+}
+
+/// Does a plane part the cones of the fans of two edges? False: undecided.
+bool cones_apart(EngineContext& context, const Fan& a, const Fan& b) {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const BallVector w = end_difference(context, a, i, b, j);
+      if (dot(a.end[0], w).low() > 0 && dot(a.end[1], w).low() > 0 && dot(b.end[0], w).high() < 0 &&
+          dot(b.end[1], w).high() < 0)
+        return true;
+    }
+  return false;
+}
+
+/// Lower bound of 1 - the product of any two vectors of the fans of two edges; 0: nothing known.
+/// See "Two arcs" in docs/proofs.md.
+double arcs_apart(EngineContext& context, const Fan& a, const Fan& b) {
+  if (!cones_apart(context, a, b)) return 0;
+  double least = 2;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const BallVector d = end_difference(context, a, i, b, j);
+      least = std::min(least, 0.5 * dot(d, d).low() * kDown);
+    }
+  const auto inside = [&](const Fan& one, const Fan& other) {
+    for (const BallVector& end : one.end)
+      if (!other.least_at_end(negative(end)))
+        least = std::min(least, (1 - other.high(end)) * kDown - 0x1p-50);
+  };
+  inside(a, b);
+  inside(b, a);
+  return std::max(0.0, least);
+}
+
 }  // namespace
 
 bool Fan::least_at_end(const BallVector& w) const {
@@ -208,8 +246,8 @@ double fans_apart(EngineContext& context, const LocalForm& a, const LocalForm& b
     const BallVector& d = context.unit_difference(a.site, b.site);
     return std::max(0.0, 0.5 * dot(d, d).low() * kDown);
   }
-  double cosine = std::max(fb.high(fa.end[0]), fb.high(fa.end[fa.count == 2 ? 1 : 0]));
-  if (fa.count == 2 && cosine > 0) cosine *= fa.stretch * kUp;
+  if (fa.count == 2 && fb.count == 2) return arcs_apart(context, fa, fb);
+  const double cosine = fa.count == 2 ? fa.high(fb.end[0]) : fb.high(fa.end[0]);
   double apart = 0;
   if (fa.count == 1) apart = depth_at_ties(context, a, b, range).apart;
   if (fb.count == 1) apart = depth_at_ties(context, b, a, range).apart;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <tuple>
 
 #include "../../arrangement/src/slope.hpp"
 #include "blum/kernel/mesh.hpp"
@@ -168,6 +169,140 @@ TEST(Fan, WhatIsLeftOfIt_HoldsTheGradientsOfAllTies) {
   EXPECT_GT(cut, 100);
   EXPECT_GT(by_fans, 1000);
   EXPECT_GT(by_ends, 1000);
+}
+
+/// A block whose top is a random height field: reflex edges of all directions and widths.
+PolygonMesh random_terrain(Random& random, std::uint32_t n) {
+  PolygonMesh mesh;
+  const std::uint32_t row = n + 1;
+  const double steep = log_uniform(random, 0.05, 20);
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j)
+      mesh.points.push_back({static_cast<double>(i), static_cast<double>(j),
+                             1 + steep * (random() % 4 == 0 ? 0 : uniform(random, 0, 1))});
+  const auto bottom = static_cast<std::uint32_t>(mesh.points.size());
+  for (const auto& [i, j] : {std::pair{0u, 0u}, {n, 0u}, {n, n}, {0u, n}})
+    mesh.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
+  const auto at = [row](std::uint32_t i, std::uint32_t j) { return i * row + j; };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  mesh.faces.push_back({bottom, bottom + 3, bottom + 2, bottom + 1});
+  std::array<std::vector<std::uint32_t>, 4> wall;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    wall[0].push_back(at(n - i, 0));
+    wall[1].push_back(at(n, n - i));
+    wall[2].push_back(at(i, n));
+    wall[3].push_back(at(0, i));
+  }
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    wall[k].push_back(bottom + k);
+    wall[k].push_back(bottom + (k + 1) % 4);
+    mesh.faces.push_back(wall[k]);
+  }
+  return mesh;
+}
+
+/// 1 - the largest product of two vectors of the arcs between the given ones, not below the
+/// true value: by samples, and by smaller and smaller steps about the best.
+Real arcs_apart_by_samples(const std::array<Vector, 2>& a, const std::array<Vector, 2>& b) {
+  const auto at = [](const std::array<Vector, 2>& arc, Real t) {
+    return unit(combined(combined({}, 1 - t, arc[0]), t, arc[1]));
+  };
+  const auto apart = [&](Real s, Real t) {
+    const Vector d = combined(at(a, s), -1, at(b, t));
+    return dot3(d, d) / 2;
+  };
+  constexpr int kSteps = 24;
+  Real best = 2, s0 = 0.5L, t0 = 0.5L;
+  for (Real reach = 0.5L; reach > 1e-9L; reach *= 0.15L) {
+    const Real s = s0, t = t0;
+    for (int i = -kSteps; i <= kSteps; ++i)
+      for (int j = -kSteps; j <= kSteps; ++j) {
+        const Real si = std::clamp<Real>(s + reach * i / kSteps, 0, 1),
+                   tj = std::clamp<Real>(t + reach * j / kSteps, 0, 1);
+        if (const Real found = apart(si, tj); found < best) {
+          best = found;
+          s0 = si;
+          t0 = tj;
+        }
+      }
+  }
+  return best;
+}
+
+/// Do the arcs certainly have a common point inside both?
+bool cross_each_other(const std::array<Vector, 2>& a, const std::array<Vector, 2>& b) {
+  const Vector across_a = cross3(a[0], a[1]), across_b = cross3(b[0], b[1]),
+               p = cross3(across_a, across_b);
+  const std::array sides{dot3(across_b, a[0]), -dot3(across_b, a[1]), -dot3(across_a, b[0]),
+                         dot3(across_a, b[1])};
+  const auto positive = [](Real x) { return x > 1e-12L; };
+  const auto negative = [](Real x) { return x < -1e-12L; };
+  // Half circles: the two points where their planes meet are p and -p.
+  return dot3(p, p) > 1e-12L &&
+         (std::ranges::all_of(sides, positive) || std::ranges::all_of(sides, negative)) &&
+         dot3(p, combined(a[0], 1, a[1])) * dot3(p, combined(b[0], 1, b[1])) > 0;
+}
+
+TEST(Fan, ArcsOfTwoEdges_AreAsFarApartAsSaid) {
+  Random random(47);
+  std::vector<Scene> scenes;
+  for (int k = 0; k < 12; ++k)
+    scenes.emplace_back("terrain", shapes::rotate_rounded(random_terrain(random, 4), random()));
+  scenes.emplace_back("rotated plate", shapes::rotate_rounded(shapes::plate(5, 6), random()));
+  scenes.emplace_back("plate", shapes::plate(2, 6));
+  long pairs = 0, told = 0, tight = 0, wide = 0, inner = 0, crossing = 0;
+  for (Scene& scene : scenes) {
+    const SiteGeometry& geometry = *scene.geometry;
+    const Solid& solid = geometry.solid();
+    EngineContext context(geometry, *scene.inside, 1);
+    std::vector<std::uint32_t> reflex;
+    for (std::uint32_t e = 0; e < solid.edge.size(); ++e)
+      if (solid.edge[e].kind == EdgeKind::kReflex) reflex.push_back(e);
+    const auto random_pair = [&] {
+      const auto e = reflex[random() % reflex.size()], f = reflex[random() % reflex.size()];
+      LocalForm a, b;
+      a.kind = b.kind = SiteKind::kEdge;
+      a.site = geometry.index().edge(e);
+      b.site = geometry.index().edge(f);
+      const auto arc = [&](std::uint32_t edge) {
+        const auto& t = solid.edge[edge].triangle;
+        return std::array{inner_normal(solid, t[0]), inner_normal(solid, t[1])};
+      };
+      const double bound = fans_apart(context, a, b, Range::of({0, 0, 0}, {1, 1, 1}));
+      return std::tuple{arc(e), arc(f), bound};
+    };
+    for (int k = 0; k < 20'000; ++k) {
+      const auto [u, v, bound] = random_pair();
+      if (!cross_each_other(u, v)) continue;
+      ++crossing;
+      ASSERT_EQ(bound, 0) << scene.name;
+    }
+    for (int k = 0; k < 150; ++k) {
+      const auto [u, v, bound] = random_pair();
+      const Real truth = arcs_apart_by_samples(u, v);
+      ASSERT_LE(bound, truth * (1 + 1e-6L)) << scene.name;
+      Real ends = 2;
+      for (const Vector& x : u)
+        for (const Vector& y : v) ends = std::min(ends, 1 - dot3(x, y));
+      ++pairs;
+      told += bound > 0;
+      tight += truth > 1e-6L && bound > 0.9L * truth;
+      wide += bound > 0 && std::min(dot3(u[0], u[1]), dot3(v[0], v[1])) < -0.5L;
+      inner += truth > 1e-6L && ends > 1.01L * truth;
+    }
+  }
+  std::cout << pairs << " pairs, " << told << " told, " << tight << " tightly, " << wide
+            << " of a wide arc, " << inner << " nearest inside an arc, " << crossing
+            << " that cross\n";
+  EXPECT_GT(told, pairs / 2);
+  EXPECT_GT(tight, pairs / 4);
+  EXPECT_GT(wide, 8);
+  EXPECT_GT(inner, 200);
+  EXPECT_GT(crossing, 1000);
 }
 
 }  // namespace
