@@ -11,6 +11,7 @@
 #include "../../arrangement/src/slope.hpp"
 #include "blum/kernel/mesh.hpp"
 #include "face_scenes.hpp"
+#include "terrain.hpp"
 
 namespace blum {
 namespace {
@@ -172,37 +173,12 @@ TEST(Fan, WhatIsLeftOfIt_HoldsTheGradientsOfAllTies) {
 }
 
 /// A block whose top is a random height field: reflex edges of all directions and widths.
-PolygonMesh random_terrain(Random& random, std::uint32_t n) {
-  PolygonMesh mesh;
-  const std::uint32_t row = n + 1;
+PolygonMesh random_terrain(Random& random) {
   const double steep = log_uniform(random, 0.05, 20);
-  for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t j = 0; j <= n; ++j)
-      mesh.points.push_back({static_cast<double>(i), static_cast<double>(j),
-                             1 + steep * (random() % 4 == 0 ? 0 : uniform(random, 0, 1))});
-  const auto bottom = static_cast<std::uint32_t>(mesh.points.size());
-  for (const auto& [i, j] : {std::pair{0u, 0u}, {n, 0u}, {n, n}, {0u, n}})
-    mesh.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
-  const auto at = [row](std::uint32_t i, std::uint32_t j) { return i * row + j; };
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = 0; j < n; ++j) {
-      mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  mesh.faces.push_back({bottom, bottom + 3, bottom + 2, bottom + 1});
-  std::array<std::vector<std::uint32_t>, 4> wall;
-  for (std::uint32_t i = 0; i <= n; ++i) {
-    wall[0].push_back(at(n - i, 0));
-    wall[1].push_back(at(n, n - i));
-    wall[2].push_back(at(i, n));
-    wall[3].push_back(at(0, i));
-  }
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    wall[k].push_back(bottom + k);
-    wall[k].push_back(bottom + (k + 1) % 4);
-    mesh.faces.push_back(wall[k]);
-  }
-  return mesh;
+  const std::vector<double> line{0, 1, 2, 3, 4};
+  return test::terrain(line, std::vector(line.size(), line), -1, [&](std::size_t, std::size_t) {
+    return steep * (random() % 4 == 0 ? 0 : uniform(random, 0, 1));
+  });
 }
 
 /// 1 - the largest product of two vectors of the arcs between the given ones, not below the
@@ -251,9 +227,11 @@ TEST(Fan, ArcsOfTwoEdges_AreAsFarApartAsSaid) {
   Random random(47);
   std::vector<Scene> scenes;
   for (int k = 0; k < 12; ++k)
-    scenes.emplace_back("terrain", shapes::rotate_rounded(random_terrain(random, 4), random()));
+    scenes.emplace_back("terrain", shapes::rotate_rounded(random_terrain(random), random()));
   scenes.emplace_back("rotated plate", shapes::rotate_rounded(shapes::plate(5, 6), random()));
   scenes.emplace_back("plate", shapes::plate(2, 6));
+  // So far away that how far the feet are apart tells nothing.
+  const Range far_away = Range::of({1e18, 1e18, 1e18}, {2e18, 2e18, 2e18});
   long pairs = 0, told = 0, tight = 0, wide = 0, inner = 0, crossing = 0;
   for (Scene& scene : scenes) {
     const SiteGeometry& geometry = *scene.geometry;
@@ -272,26 +250,26 @@ TEST(Fan, ArcsOfTwoEdges_AreAsFarApartAsSaid) {
         const auto& t = solid.edge[edge].triangle;
         return std::array{inner_normal(solid, t[0]), inner_normal(solid, t[1])};
       };
-      const double bound = fans_apart(context, a, b, Range::of({0, 0, 0}, {1, 1, 1}));
+      const double bound = fans_apart(context, a, b, far_away);
       return std::tuple{arc(e), arc(f), bound};
     };
     for (int k = 0; k < 20'000; ++k) {
       const auto [u, v, bound] = random_pair();
       if (!cross_each_other(u, v)) continue;
       ++crossing;
-      ASSERT_EQ(bound, 0) << scene.name;
+      ASSERT_LT(bound, 1e-30) << scene.name;
     }
-    for (int k = 0; k < 150; ++k) {
+    for (int k = 0; k < 60; ++k) {
       const auto [u, v, bound] = random_pair();
       const Real truth = arcs_apart_by_samples(u, v);
-      ASSERT_LE(bound, truth * (1 + 1e-6L)) << scene.name;
+      ASSERT_LE(bound, truth * (1 + 1e-6L) + 1e-30L) << scene.name;
       Real ends = 2;
       for (const Vector& x : u)
         for (const Vector& y : v) ends = std::min(ends, 1 - dot3(x, y));
       ++pairs;
-      told += bound > 0;
+      told += bound > 1e-30;
       tight += truth > 1e-6L && bound > 0.9L * truth;
-      wide += bound > 0 && std::min(dot3(u[0], u[1]), dot3(v[0], v[1])) < -0.5L;
+      wide += bound > 1e-30 && std::min(dot3(u[0], u[1]), dot3(v[0], v[1])) < -0.5L;
       inner += truth > 1e-6L && ends > 1.01L * truth;
     }
   }
@@ -300,8 +278,8 @@ TEST(Fan, ArcsOfTwoEdges_AreAsFarApartAsSaid) {
             << " that cross\n";
   EXPECT_GT(told, pairs / 2);
   EXPECT_GT(tight, pairs / 4);
-  EXPECT_GT(wide, 8);
-  EXPECT_GT(inner, 200);
+  EXPECT_GT(wide, 3);
+  EXPECT_GT(inner, 80);
   EXPECT_GT(crossing, 1000);
 }
 
