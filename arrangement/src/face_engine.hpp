@@ -123,6 +123,11 @@ class FaceEngine {
   /// Theorem S: all sites seen from a vertex.
   [[nodiscard]] bool accept_slice(const Box& box, std::span<const LocalForm> forms,
                                   const Groups& feet, const Border& border);
+  /// Does Theorem S hold, seen from v? Then the regions of the intervals of each circle with more
+  /// than three ends.
+  [[nodiscard]] std::optional<std::vector<std::vector<std::uint32_t>>> slice_from(
+      std::uint32_t v, const Box& box, std::span<const LocalForm> forms, const Groups& feet,
+      const Border& border);
   [[nodiscard]] bool flow_parts_all(std::uint32_t v, const Box& box,
                                     std::span<const LocalForm> forms);
   /// The region of each interval of a circle, where Theorem S holds; nullopt: undecided.

@@ -154,6 +154,24 @@ std::optional<std::vector<std::uint32_t>> FaceEngine::regions_in_slice(
   return group;
 }
 
+std::optional<std::vector<std::vector<std::uint32_t>>> FaceEngine::slice_from(
+    std::uint32_t v, const Box& box, std::span<const LocalForm> forms, const Groups& feet,
+    const Border& border) {
+  if (!flow_parts_all(v, box, forms)) return std::nullopt;
+  std::vector<std::vector<std::uint32_t>> regions;
+  for (const Circle& circle : border.circle) {
+    regions.emplace_back();
+    if (ends_of(circle) <= 3) continue;
+    auto region = regions_in_slice(circle, forms, feet, v, box);
+    if (!region) return std::nullopt;
+    const bool cluster = std::ranges::any_of(
+        trees_of(*region), [](const auto& tree) { return tree.second.size() > 3; });
+    if (cluster && !may_be_cluster(box, forms, feet, circle)) return std::nullopt;
+    regions.back() = std::move(*region);
+  }
+  return regions;
+}
+
 bool FaceEngine::accept_slice(const Box& box, std::span<const LocalForm> forms, const Groups& feet,
                               const Border& border) {
   for (const Circle& circle : border.circle)
@@ -162,31 +180,21 @@ bool FaceEngine::accept_slice(const Box& box, std::span<const LocalForm> forms, 
   const Solid& solid = context_.geometry.solid();
   const Range range = range_of(box);
   const auto vertices = common_corners_first(context_.geometry, forms);
-  std::optional<std::uint32_t> center;
-  for (std::size_t k = 0; k < std::min(kCenters, vertices.size()) && !center; ++k)
-    if (flow_parts_all(vertices[k], box, forms)) center = vertices[k];
-  if (!center) return false;
+  std::optional<std::vector<std::vector<std::uint32_t>>> regions;
+  std::size_t center = 0;
+  for (; center < std::min(kCenters, vertices.size()); ++center)
+    if ((regions = slice_from(vertices[center], box, forms, feet, border))) break;
+  if (!regions) return false;
   // No feet merge: no vertex is one.
   for (const auto v : vertices)
     if (may_be_foot(context_, v, forms, range) &&
         meets_polar_cone(solid, v, point_on(r.axis, r.level, box.u0, box.v0),
                          point_on(r.axis, r.level, box.u1, box.v1)))
       return false;
-  std::vector<std::vector<std::uint32_t>> regions;
-  for (const Circle& circle : border.circle) {
-    regions.emplace_back();
-    if (ends_of(circle) <= 3) continue;
-    auto region = regions_in_slice(circle, forms, feet, *center, box);
-    if (!region) return false;
-    const bool cluster = std::ranges::any_of(
-        trees_of(*region), [](const auto& tree) { return tree.second.size() > 3; });
-    if (cluster && !may_be_cluster(box, forms, feet, circle)) return false;
-    regions.back() = std::move(*region);
-  }
   for (std::size_t c = 0; c < border.circle.size(); ++c)
-    record(border.circle[c], forms, feet, box, regions[c]);
+    record(border.circle[c], forms, feet, box, (*regions)[c]);
   ++context_.counts.slices;
-  note(PartRecord::Kind::kSlice, forms, *center);
+  note(PartRecord::Kind::kSlice, forms, vertices[center]);
   return true;
 }
 

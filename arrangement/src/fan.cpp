@@ -61,24 +61,30 @@ struct Depth {
   bool behind = false;  ///< no foot on the edge lies in front: they do not tie
 };
 
-Depth depth_at_ties(EngineContext& context, const LocalForm& face, const LocalForm& edge,
-                    const Range& range) {
+/// Depths in front of the plane of a face at both ends of the part of an edge that holds all its
+/// feet of points of the range. Between them the depth is linear.
+std::array<Ball, 2> depths_along(EngineContext& context, SiteId face, SiteId edge,
+                                 const Range& range) {
   const SiteGeometry& geometry = context.geometry;
   const Solid& solid = geometry.solid();
-  const BallVector &n = geometry.unit(face.site), &u = geometry.unit(edge.site);
+  const BallVector& u = geometry.unit(edge);
+  const auto [p, q] = solid.edge[geometry.index().element(edge)].vertex;
+  const Ball at_p = -context.height(p, face), at_q = -context.height(q, face);
+  const BallVector along = difference(solid.point[q], solid.point[p]);
+  const Ball whole = root(dot(along, along));
+  const Ball foot = dot(u, difference(range.center, solid.point[p])) + Ball(0.0, spread(u, range));
+  const auto depth = [&](double t) { return at_p + (at_q - at_p) * divide(Ball(t), whole); };
+  return {depth(std::max(0.0, foot.low())), depth(std::min(whole.high(), foot.high()))};
+}
+
+Depth depth_at_ties(EngineContext& context, const LocalForm& face, const LocalForm& edge,
+                    const Range& range) {
+  const BallVector& n = context.geometry.unit(face.site);
   const Ball distance = Ball(0.0, spread(n, range)) - face.height;
   Depth r;
   r.farthest = distance.high();
   if (!(r.farthest > 0)) return r;
-  const auto [p, q] = solid.edge[geometry.index().element(edge.site)].vertex;
-  const Ball at_p = -context.height(p, face.site), at_q = -context.height(q, face.site);
-  const BallVector along = difference(solid.point[q], solid.point[p]);
-  const Ball whole = root(dot(along, along));
-  // Depth is linear along the edge; feet of the range lie in a part of it.
-  const Ball foot = dot(u, difference(range.center, solid.point[p])) + Ball(0.0, spread(u, range));
-  const auto depth = [&](double t) { return at_p + (at_q - at_p) * divide(Ball(t), whole); };
-  const Ball first = depth(std::max(0.0, foot.low())),
-             last = depth(std::min(whole.high(), foot.high()));
+  const auto [first, last] = depths_along(context, face.site, edge.site, range);
   r.behind = first.high() < 0 && last.high() < 0;
   const double least = std::min(first.low(), last.low());
   if (!(least > 0)) return r;
@@ -171,6 +177,64 @@ bool trim(EngineContext& context, Fan& fan, const Fan& of_face, const LocalForm&
   return true;
 }
 
+/// end[i] of a less end[j] of b, the fans of two edges.
+BallVector end_difference(EngineContext& context, const Fan& a, std::size_t i, const Fan& b,
+                          std::size_t j) {
+  return context.unit_difference(*b.face[j], *a.face[i]);  // the ends are inner normals
+}
+
+/// Does a plane part the cones of the fans of two edges? False: undecided.
+bool cones_apart(EngineContext& context, const Fan& a, const Fan& b) {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const BallVector w = end_difference(context, a, i, b, j);
+      if (dot(a.end[0], w).low() > 0 && dot(a.end[1], w).low() > 0 && dot(b.end[0], w).high() < 0 &&
+          dot(b.end[1], w).high() < 0)
+        return true;
+    }
+  return false;
+}
+
+/// Lower bound of 1 - the product of any two vectors of the fans of two edges; 0: nothing known.
+/// See "Two arcs" in docs/proofs.md.
+double arcs_apart(EngineContext& context, const Fan& a, const Fan& b) {
+  if (!cones_apart(context, a, b)) return 0;
+  double least = 2;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const BallVector d = end_difference(context, a, i, b, j);
+      least = std::min(least, 0.5 * dot(d, d).low() * kDown);
+    }
+  const auto inside = [&](const Fan& one, const Fan& other) {
+    for (const BallVector& end : one.end)
+      if (!other.least_at_end(negative(end)))
+        least = std::min(least, (1 - other.high(end)) * kDown - 0x1p-50);
+  };
+  inside(a, b);
+  inside(b, a);
+  return std::max(0.0, least);
+}
+
+/// Lower bound of 1 - grad d_a . grad d_b where two edges tie: the gradients are as far apart as
+/// the feet are, over the distance. By the depths of either edge in front of both planes at the
+/// other, which lies in them.
+double feet_apart(EngineContext& context, SiteId a, SiteId b, const Range& range) {
+  const SiteGeometry& geometry = context.geometry;
+  double between = 0, farthest = kInfinite;
+  for (const auto& [edge, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    const BallVector from = difference(range.center, geometry.base(edge));
+    farthest =
+        std::min(farthest, (length_above(cross(geometry.unit(edge), from)) + range.radius()) * kUp);
+    for (const auto t : geometry.solid().edge[geometry.index().element(other)].triangle) {
+      const auto [first, last] = depths_along(context, geometry.index().face(t), edge, range);
+      between = std::max(
+          {between, std::min(first.low(), last.low()), std::min(-first.high(), -last.high())});
+    }
+  }
+  const double ratio = between / farthest * kDown;
+  return 0.5 * ratio * ratio * kDown;
+}
+
 }  // namespace
 
 bool Fan::least_at_end(const BallVector& w) const {
@@ -208,8 +272,9 @@ double fans_apart(EngineContext& context, const LocalForm& a, const LocalForm& b
     const BallVector& d = context.unit_difference(a.site, b.site);
     return std::max(0.0, 0.5 * dot(d, d).low() * kDown);
   }
-  double cosine = std::max(fb.high(fa.end[0]), fb.high(fa.end[fa.count == 2 ? 1 : 0]));
-  if (fa.count == 2 && cosine > 0) cosine *= fa.stretch * kUp;
+  if (fa.count == 2 && fb.count == 2)
+    return std::max(arcs_apart(context, fa, fb), feet_apart(context, a.site, b.site, range));
+  const double cosine = fa.count == 2 ? fa.high(fb.end[0]) : fb.high(fa.end[0]);
   double apart = 0;
   if (fa.count == 1) apart = depth_at_ties(context, a, b, range).apart;
   if (fb.count == 1) apart = depth_at_ties(context, b, a, range).apart;

@@ -254,6 +254,30 @@ PairForm precise_difference(EngineContext& context, const LocalForm& a, const Lo
   return r;
 }
 
+/// Is the form positive wherever in the range the conditions of the site's domain hold? With a
+/// multiple of one of them, which is not positive there, that leaves the least slope.
+bool farther_in_domain(const SiteGeometry& geometry, SiteId site, const PairForm& form,
+                       const Range& range) {
+  const Solid& solid = geometry.solid();
+  const auto domain = geometry.domain(site);
+  for (std::uint32_t k = 0; k < domain.size(); ++k) {
+    const HalfSpace& h = domain[k];
+    double up = 0, down = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = range.half[i] * range.half[i];
+      up -= weight * form.gradient[i].mid * h.w[i].mid;
+      down += weight * h.w[i].mid * h.w[i].mid;
+    }
+    if (!(up > 0 && down > 0)) continue;
+    const Ball times(up / down);
+    PairForm rest = form;
+    rest.value = rest.value + times * dot(h.w, difference(range.center, solid.point[h.base]));
+    for (std::size_t i = 0; i < 3; ++i) rest.gradient[i] = rest.gradient[i] + times * h.w[i];
+    if (rest.value.low() - rest.slack(range) > 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double PairForm::slack(const Range& range) const {
@@ -302,7 +326,8 @@ bool certainly_farther(const SiteGeometry& geometry, const LocalForm& a, const L
   if (context != nullptr && !context->plain && value.high() > 0 &&
       nearly_parallel_edges(geometry, a, b)) {
     const PairForm precise = precise_difference(*context, a, b, range);
-    return precise.value.low() - precise.slack(range) > 0;
+    return precise.value.low() - precise.slack(range) > 0 ||
+           farther_in_domain(geometry, a.site, precise, range);
   }
   // In ranges so small that the error of the values decides, they are taken more precisely.
   return context != nullptr && value.rad > slack * kRoundingCounts && value.high() - slack > 0 &&

@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <iostream>
+#include <tuple>
 
 #include "../../arrangement/src/slope.hpp"
 #include "blum/kernel/mesh.hpp"
 #include "face_scenes.hpp"
+#include "terrain.hpp"
 
 namespace blum {
 namespace {
@@ -168,6 +170,117 @@ TEST(Fan, WhatIsLeftOfIt_HoldsTheGradientsOfAllTies) {
   EXPECT_GT(cut, 100);
   EXPECT_GT(by_fans, 1000);
   EXPECT_GT(by_ends, 1000);
+}
+
+/// A block whose top is a random height field: reflex edges of all directions and widths.
+PolygonMesh random_terrain(Random& random) {
+  const double steep = log_uniform(random, 0.05, 20);
+  const std::vector<double> line{0, 1, 2, 3, 4};
+  return test::terrain(line, std::vector(line.size(), line), -1, [&](std::size_t, std::size_t) {
+    return steep * (random() % 4 == 0 ? 0 : uniform(random, 0, 1));
+  });
+}
+
+/// 1 - the largest product of two vectors of the arcs between the given ones, not below the
+/// true value: by samples, and by smaller and smaller steps about the best.
+Real arcs_apart_by_samples(const std::array<Vector, 2>& a, const std::array<Vector, 2>& b) {
+  const auto at = [](const std::array<Vector, 2>& arc, Real t) {
+    return unit(combined(combined({}, 1 - t, arc[0]), t, arc[1]));
+  };
+  const auto apart = [&](Real s, Real t) {
+    const Vector d = combined(at(a, s), -1, at(b, t));
+    return dot3(d, d) / 2;
+  };
+  constexpr int kSteps = 24;
+  Real best = 2, s0 = 0.5L, t0 = 0.5L;
+  for (Real reach = 0.5L; reach > 1e-9L; reach *= 0.15L) {
+    const Real s = s0, t = t0;
+    for (int i = -kSteps; i <= kSteps; ++i)
+      for (int j = -kSteps; j <= kSteps; ++j) {
+        const Real si = std::clamp<Real>(s + reach * i / kSteps, 0, 1),
+                   tj = std::clamp<Real>(t + reach * j / kSteps, 0, 1);
+        if (const Real found = apart(si, tj); found < best) {
+          best = found;
+          s0 = si;
+          t0 = tj;
+        }
+      }
+  }
+  return best;
+}
+
+/// Do the arcs certainly have a common point inside both?
+bool cross_each_other(const std::array<Vector, 2>& a, const std::array<Vector, 2>& b) {
+  const Vector across_a = cross3(a[0], a[1]), across_b = cross3(b[0], b[1]),
+               p = cross3(across_a, across_b);
+  const std::array sides{dot3(across_b, a[0]), -dot3(across_b, a[1]), -dot3(across_a, b[0]),
+                         dot3(across_a, b[1])};
+  const auto positive = [](Real x) { return x > 1e-12L; };
+  const auto negative = [](Real x) { return x < -1e-12L; };
+  // Half circles: the two points where their planes meet are p and -p.
+  return dot3(p, p) > 1e-12L &&
+         (std::ranges::all_of(sides, positive) || std::ranges::all_of(sides, negative)) &&
+         dot3(p, combined(a[0], 1, a[1])) * dot3(p, combined(b[0], 1, b[1])) > 0;
+}
+
+TEST(Fan, ArcsOfTwoEdges_AreAsFarApartAsSaid) {
+  Random random(47);
+  std::vector<Scene> scenes;
+  for (int k = 0; k < 12; ++k)
+    scenes.emplace_back("terrain", shapes::rotate_rounded(random_terrain(random), random()));
+  scenes.emplace_back("rotated plate", shapes::rotate_rounded(shapes::plate(5, 6), random()));
+  scenes.emplace_back("plate", shapes::plate(2, 6));
+  // So far away that how far the feet are apart tells nothing.
+  const Range far_away = Range::of({1e18, 1e18, 1e18}, {2e18, 2e18, 2e18});
+  long pairs = 0, told = 0, tight = 0, wide = 0, inner = 0, crossing = 0;
+  for (Scene& scene : scenes) {
+    const SiteGeometry& geometry = *scene.geometry;
+    const Solid& solid = geometry.solid();
+    EngineContext context(geometry, *scene.inside, 1);
+    std::vector<std::uint32_t> reflex;
+    for (std::uint32_t e = 0; e < solid.edge.size(); ++e)
+      if (solid.edge[e].kind == EdgeKind::kReflex) reflex.push_back(e);
+    const auto random_pair = [&] {
+      const auto e = reflex[random() % reflex.size()], f = reflex[random() % reflex.size()];
+      LocalForm a, b;
+      a.kind = b.kind = SiteKind::kEdge;
+      a.site = geometry.index().edge(e);
+      b.site = geometry.index().edge(f);
+      const auto arc = [&](std::uint32_t edge) {
+        const auto& t = solid.edge[edge].triangle;
+        return std::array{inner_normal(solid, t[0]), inner_normal(solid, t[1])};
+      };
+      const double bound = fans_apart(context, a, b, far_away);
+      return std::tuple{arc(e), arc(f), bound};
+    };
+    for (int k = 0; k < 20'000; ++k) {
+      const auto [u, v, bound] = random_pair();
+      if (!cross_each_other(u, v)) continue;
+      ++crossing;
+      ASSERT_LT(bound, 1e-30) << scene.name;
+    }
+    for (int k = 0; k < 60; ++k) {
+      const auto [u, v, bound] = random_pair();
+      const Real truth = arcs_apart_by_samples(u, v);
+      ASSERT_LE(bound, truth * (1 + 1e-6L) + 1e-30L) << scene.name;
+      Real ends = 2;
+      for (const Vector& x : u)
+        for (const Vector& y : v) ends = std::min(ends, 1 - dot3(x, y));
+      ++pairs;
+      told += bound > 1e-30;
+      tight += truth > 1e-6L && bound > 0.9L * truth;
+      wide += bound > 1e-30 && std::min(dot3(u[0], u[1]), dot3(v[0], v[1])) < -0.5L;
+      inner += truth > 1e-6L && ends > 1.01L * truth;
+    }
+  }
+  std::cout << pairs << " pairs, " << told << " told, " << tight << " tightly, " << wide
+            << " of a wide arc, " << inner << " nearest inside an arc, " << crossing
+            << " that cross\n";
+  EXPECT_GT(told, pairs / 2);
+  EXPECT_GT(tight, pairs / 4);
+  EXPECT_GT(wide, 3);
+  EXPECT_GT(inner, 80);
+  EXPECT_GT(crossing, 1000);
 }
 
 }  // namespace

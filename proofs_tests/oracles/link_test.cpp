@@ -22,7 +22,53 @@ enum class Pit {
   kRandom,    ///< low edges, which bound the cone, and ridges between them
   kIntegers,  ///< corners of a small grid: edges in one plane, equal angles
   kCorner,    ///< three facets, cut into triangles that are coplanar but for rounding
+  kRidges,    ///< several ridges between two edges that bound the cone
+  kFacet,     ///< a ray of the cone where an edge ties with a facet of two edges or more
 };
+
+std::vector<Point3> ring_of_ridges(Random& random) {
+  std::vector<Point3> ring;
+  const auto full = random() % 3, most = 2 + random() % 2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double from =
+        2 * std::numbers::pi / 3 * (static_cast<double>(k) + uniform(random, -0.1, 0.1));
+    const auto put = [&](double turn, double z) {
+      const double r = uniform(random, 0.8, 1.2);
+      ring.push_back({r * std::cos(from + turn), r * std::sin(from + turn), r * z});
+    };
+    put(0, uniform(random, 0.1, 0.4));
+    const std::size_t ridges = k == full ? most : 1 + random() % 2, n = 2 * ridges - 1;
+    for (std::size_t i = 0; i < n; ++i)
+      put((n == 1 ? 0.95 : 0.25 + 1.4 * static_cast<double>(i) / static_cast<double>(n - 1)) +
+              uniform(random, -0.04, 0.04),
+          i % 2 == 0 ? uniform(random, 1.2, 3) : uniform(random, 0.7, 1.2));
+  }
+  return ring;
+}
+
+/// Low corners in the plane z = a x + b y, exactly: a facet of two edges or three, and beyond a
+/// ridge one more edge, or another facet.
+std::vector<Point3> ring_with_facet(Random& random) {
+  std::vector<Point3> ring;
+  const double a = static_cast<double>(random() % 5) / 8 - 0.25,
+               b = static_cast<double>(random() % 5) / 8 - 0.25;
+  const auto low = [&](double x, double y) { ring.push_back({x, y, a * x + b * y}); };
+  const auto high = [&](double x, double y) {
+    ring.push_back({x, y, a * x + b * y + 0.125 * static_cast<double>(2 + random() % 8)});
+  };
+  low(1, 0);
+  if (random() % 3 == 0) low(1, 0.25);
+  low(1, 0.5);
+  high(0.5, 1);
+  if (random() % 2 == 0) high(0, 1);
+  low(-0.5, 1);
+  if (random() % 2 == 0) low(-0.75, 0.5);
+  if (random() % 2 == 0) high(-1, -0.125);
+  high(-1, -0.5);
+  if (random() % 2 == 0) high(-0.25, -1);
+  high(0.25, -1);
+  return ring;
+}
 
 std::vector<Point3> ring_of(Random& random, Pit kind) {
   const auto n = 5 + random() % 5;
@@ -50,6 +96,12 @@ std::vector<Point3> ring_of(Random& random, Pit kind) {
       });
       break;
     }
+    case Pit::kRidges:
+      ring = ring_of_ridges(random);
+      break;
+    case Pit::kFacet:
+      ring = ring_with_facet(random);
+      break;
     case Pit::kCorner: {
       std::array<Point3, 3> e;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -97,7 +149,8 @@ std::optional<PolygonMesh> pit(Random& random, Pit kind) {
 }
 
 /// A rectangle about a point next to the cone of points whose foot is the vertex, if there is one.
-std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t vertex) {
+std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t vertex,
+                               bool any_shape) {
   Predicates predicates(*scene.geometry);
   const auto link = predicates.vertex_link(vertex);
   if (!link || link->ray.empty()) return std::nullopt;
@@ -130,17 +183,21 @@ std::optional<Rect> rect_below(Random& random, const Scene& scene, std::uint32_t
   r.axis = static_cast<int>(random() % 3);
   r.level = c[r.axis];
   const int a = u_axis(r.axis), b = v_axis(r.axis);
-  r.u0 = c[a] - size * uniform(random, 0.3, 1);
-  r.u1 = c[a] + size * uniform(random, 0.3, 1);
-  r.v0 = c[b] - size * uniform(random, 0.3, 1);
-  r.v1 = c[b] + size * uniform(random, 0.3, 1);
+  const double wide = any_shape ? distance * log_uniform(random, 0.02, 4) : size,
+               high = any_shape ? distance * log_uniform(random, 0.02, 4) : size;
+  r.u0 = c[a] - wide * uniform(random, 0.3, 1);
+  r.u1 = c[a] + wide * uniform(random, 0.3, 1);
+  r.v0 = c[b] - high * uniform(random, 0.3, 1);
+  r.v1 = c[b] + high * uniform(random, 0.3, 1);
   return r;
 }
 
-void run_pits(std::uint64_t seed, int rounds, std::size_t most_candidates, Tally& tally) {
+void run_pits(std::uint64_t seed, int rounds, std::size_t most_candidates, Tally& tally,
+              std::initializer_list<Pit> kinds = {Pit::kRandom, Pit::kIntegers, Pit::kCorner},
+              bool any_shape = false) {
   Random random(seed);
   for (int round = 0; round < rounds; ++round)
-    for (const Pit kind : {Pit::kRandom, Pit::kIntegers, Pit::kCorner}) {
+    for (const Pit kind : kinds) {
       const auto mesh = pit(random, kind);
       if (!mesh) continue;
       auto solid = build_solid(*mesh);
@@ -150,7 +207,7 @@ void run_pits(std::uint64_t seed, int rounds, std::size_t most_candidates, Tally
         const Point3& p = scene.solid->point[v];
         if (p.x != scene.working(0, 0) || p.y != scene.working(1, 0)) continue;
         for (int k = 0; k < 6; ++k)
-          if (const auto r = rect_below(random, scene, v);
+          if (const auto r = rect_below(random, scene, v, any_shape);
               r && scene.near(*r).size() <= most_candidates)
             test::compare(scene, *r, false, tally, test::First::kLinks);
       }
@@ -164,6 +221,22 @@ TEST(Link, Pits_GiveTheMapOfTheOracle) {
   EXPECT_GE(tally.same, 50);
   EXPECT_GE(tally.links, 40);
   EXPECT_GE(tally.rims, 5);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(Link, PitsWithRidgesAndFacets_GiveTheMapOfTheOracle) {
+  Tally tally;
+  run_pits(31, 8, 14, tally, {Pit::kRidges, Pit::kFacet}, true);
+  EXPECT_GE(tally.same, 20);
+  EXPECT_GE(tally.links, 15);
+  EXPECT_EQ(tally.different, 0);
+}
+
+TEST(SweepLink, PitsWithRidgesAndFacets_GiveTheMapOfTheOracle) {
+  Tally tally;
+  for (std::uint64_t seed = 32; seed < 42; ++seed)
+    run_pits(seed, 10, 22, tally, {Pit::kRidges, Pit::kFacet}, seed % 2 == 0);
+  EXPECT_GE(tally.same, 300);
   EXPECT_EQ(tally.different, 0);
 }
 
