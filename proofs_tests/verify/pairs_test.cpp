@@ -1,6 +1,7 @@
 // What the checker says of pairs of sites on a box and its halves, at points of the box.
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 #include "certificates.hpp"
@@ -47,8 +48,10 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
   }
   ASSERT_NE(bottom, top);
   const std::vector<Site> both{bottom, top};
-  EXPECT_TRUE(c.exclusion.governs_nothing(bottom, box, both, 1));
-  EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, 1000));
+  std::vector<std::uint32_t> every(c.shape.triangle.size());
+  std::iota(every.begin(), every.end(), 0u);
+  EXPECT_TRUE(c.exclusion.governs_nothing(bottom, box, both, every, 1));
+  EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, every, 1000));
 }
 
 /// Of sites whose domains are convex: where they never tie one is the nearer in all of them, and

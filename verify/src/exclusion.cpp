@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "inside.hpp"
+
 namespace blum::verify {
 namespace {
 
@@ -162,17 +164,28 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
                              [&](Site r) { return r != s && farther(s, r, box, false); });
 }
 
-bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against, int& looks) const {
+bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against,
+                       std::span<const std::uint32_t> triangles, int& looks) const {
   if (--looks < 0) return false;
   if (gone(s, box, view(box, against))) return true;
+  const std::vector<std::uint32_t> meeting = sites_.meeting(triangles, box);
+  if (meeting.empty() && is_inside(sites_.shape(), center_of(box)) == false) return true;
   const auto half = halved(box);
-  return half && halves(s, (*half)[0], against, looks) && halves(s, (*half)[1], against, looks);
+  return half && halves(s, (*half)[0], against, meeting, looks) &&
+         halves(s, (*half)[1], against, meeting, looks);
+}
+
+bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
+  const bool flat = box.lo.x == box.hi.x || box.lo.y == box.hi.y || box.lo.z == box.hi.z;
+  return flat && sites_.shape().kind(s) == Kind::kVertex &&
+         !polar_cone_meets(sites_.shape(), sites_.shape().element(s), box);
 }
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
-                                int most) const {
+                                const std::vector<std::uint32_t>& triangles, int most) const {
+  if (outside_polar_cone(s, box)) return true;
   int looks = most;
-  return halves(s, box, against, looks) || (looks < 0 && sites_.beyond_two(s, box));
+  return halves(s, box, against, triangles, looks) || (looks < 0 && sites_.beyond_two(s, box));
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

@@ -85,7 +85,12 @@ class FaceChecker {
   void check(Box box);
   void check_part(const Box& box, const Claim& claim);
   [[nodiscard]] std::vector<Circle> circles(const Box& box, bool& loop) const;
-  void check_star(const Part& part, const SharedFeet& feet, const std::vector<Circle>& circles,
+  /// The groups, and whether chords are claimed.
+  struct Star {
+    Groups groups;
+    bool chords = false;
+  };
+  Star check_star(const Part& part, const SharedFeet& feet, const std::vector<Circle>& circles,
                   const Claim& claim) const;
   /// Ends and runs of a circle, run[k] after end[k]: an element and a governor of each.
   struct Border {
@@ -95,7 +100,7 @@ class FaceChecker {
   Border label(const Circle& circle, const Part& part, const Groups& feet);
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim);
   void record_chords(const Circle& circle, const Part& part, const Groups& feet,
-                     const Claim& claim);
+                     const Groups& groups);
   [[nodiscard]] std::uint32_t new_element();
   [[nodiscard]] std::uint32_t element_of(const Step& s);
   [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge);
@@ -269,14 +274,16 @@ bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet
   return std::ranges::adjacent_find(groups) == groups.end();
 }
 
-void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
-                             const std::vector<Circle>& circles, const Claim& claim) const {
+FaceChecker::Star FaceChecker::check_star(const Part& part, const SharedFeet& feet,
+                                          const std::vector<Circle>& circles,
+                                          const Claim& claim) const {
   const Sites& sites = part.exclusion.sites();
-  Groups groups =
-      claim.by_feet ? groups_by_feet(sites, part.sites, feet) : groups_by_ties(sites, part.sites);
+  Groups groups = claim.by_feet ? groups_by_feet(sites, part.sites, feet)
+                                : groups_by_ties(sites, part.sites, part.box);
   if (claim.proposed && !groups.cliques) groups = groups_by_feet(sites, part.sites, feet);
   require(groups.cliques, "Theorem D': a group with an essential tie");
   std::vector<std::vector<std::uint32_t>> all;
+  bool twice = false;
   for (const Circle& circle : circles) {
     // Ties and convex edges are where the group changes, and each group has one run.
     std::vector<std::uint32_t> runs;
@@ -290,15 +297,25 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
     require(std::ranges::count_if(circle, &Step::separates) != 1,
             "Theorem D': a single tie on a border");
     all.push_back(runs);
-    if (claim.type == Claim::Type::kChords) continue;
     std::ranges::sort(runs);
-    require(std::ranges::adjacent_find(runs) == runs.end(),
-            "Theorem D': a group governs two intervals of a border");
+    twice |= std::ranges::adjacent_find(runs) != runs.end();
   }
-  if (claim.type == Claim::Type::kChords)
+  if (claim.type == Claim::Type::kChords) {
     check_chords(part, groups, feet, all, claim);
-  else
+    return {groups, true};
+  }
+  require(!twice || claim.proposed, "Theorem D': a group governs two intervals of a border");
+  if (!twice) {
     check_directions(part, groups, feet, claim);
+    return {groups, false};
+  }
+  // What is proposed for a star will do for chords: the direction of a group for all its pairs.
+  Claim chords = claim;
+  for (const auto& [a, along] : claim.direction)
+    for (const auto& [b, other] : claim.direction)
+      if (a != b) chords.between.push_back({a, b, along});
+  check_chords(part, groups, feet, all, chords);
+  return {groups, true};
 }
 
 /// Labels the regions along a circle, and makes them one piece.
@@ -349,8 +366,7 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
 /// Chords: an arc joins the two ends between the same groups; runs on one side of it are one
 /// region.
 void FaceChecker::record_chords(const Circle& circle, const Part& part, const Groups& feet,
-                                const Claim& claim) {
-  const Groups groups = claim.by_feet ? feet : groups_by_ties(exclusion_.sites(), part.sites);
+                                const Groups& groups) {
   const Border b = label(circle, part, feet);
   const std::size_t n = b.end.size();
   std::map<std::array<std::uint32_t, 2>, std::size_t> first;
@@ -382,14 +398,15 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   part.sites = claim.sites;
   for (const Site s : box.candidates)
     require(std::ranges::binary_search(claim.sites, s) ||
-                exclusion_.governs_nothing(s, part.box, claim.sites) ||
-                exclusion_.governs_nothing(s, part.box, box.candidates, 20000),
+                exclusion_.governs_nothing(s, part.box, claim.sites, triangles_) ||
+                exclusion_.governs_nothing(s, part.box, box.candidates, triangles_, 20000),
             "face: a site that may govern a part is missing");
   const SharedFeet shared(exclusion_, part.sites, part.box);
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
+  Star star;
   if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
-    check_star(part, shared, border, claim);
+    star = check_star(part, shared, border, claim);
   } else {
     require(border.size() == 1 &&
                 std::ranges::none_of(border[0],
@@ -410,8 +427,8 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
     }
   }
   for (const Circle& c : border) {
-    if (claim.type == Claim::Type::kChords)
-      record_chords(c, part, feet, claim);
+    if (star.chords)
+      record_chords(c, part, feet, star.groups);
     else
       record(c, part, feet, rim);
   }

@@ -86,11 +86,12 @@ void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet
         continue;
       const auto forth = along.find({g, h}), back = along.find({h, g});
       int looks = kMostLooks;
-      if (forth == along.end() && back == along.end()) {
-        require(gains_where_both_govern(part.exclusion, part.box, feet, a, b, {}, looks),
-                "chords: two groups without direction");
+      const bool without = forth == along.end() && back == along.end();
+      if ((without || claim.proposed) &&
+          gains_where_both_govern(part.exclusion, part.box, feet, a, b, {}, looks))
         continue;
-      }
+      require(!without, "chords: two groups without direction");
+      looks = kMostLooks;
       ties.insert(ordered(g, h));
       require(
           forth != along.end()

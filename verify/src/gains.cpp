@@ -103,6 +103,39 @@ int compare_along(const Fork& f, const Vec<Rational>& w) {
                                       inner(f.b, f.b));
 }
 
+/// "Depth": a point of the box with feet y_a in a face and y_b on b has |y_a - y_b|^2 = 2 d h, h
+/// the depth of y_b before the face. So there is none where b is farther than that beyond a side of
+/// it.
+bool apart_by_depth(const Sites& sites, const Box3& box, Site a, Site b) {
+  const Shape& shape = sites.shape();
+  if (shape.kind(a) != Kind::kFace) return false;
+  const auto t = shape.element(a);
+  const auto& v = shape.triangle[t].vertex;
+  const Vec<Rational> n = shape.normal<Rational>(t);
+  const auto above = [&](const Vec<Rational>& w, std::uint32_t from, const Point3& x) {
+    return Rational(inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape.point[from]))));
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corners corners = shape.corners(b);
+    if (!std::ranges::all_of(corners, [&](std::uint32_t q) {
+          return sites.sign(sites.conditions(a)[k], shape.point[q]) > 0;
+        }))
+      continue;
+    Rational distance = 0, depth = 0;  // both times |n|
+    for (const Point3& x : BoxCorners(box))
+      distance = std::max(distance, Rational(-above(n, v[0], x)));
+    for (const auto q : corners) depth = std::max(depth, Rational(-above(n, v[0], shape.point[q])));
+    const Vec<Rational> side = outer(shape.along<Rational>(v[k], v[(k + 1) % 3]), n);
+    const Rational farthest = 2 * distance * depth * inner(side, side) / inner(n, n);
+    if (std::ranges::all_of(corners, [&](std::uint32_t q) {
+          const Rational beyond = above(side, v[k], shape.point[q]);
+          return beyond * beyond > farthest;
+        }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& feet, Site a, Site b,
@@ -115,12 +148,17 @@ bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& fe
 bool never_tie_from_vertex(const Shape& shape, const Box3& box, Site a, Site b) {
   const auto f = fork(shape, a, b);
   if (!f) return false;
+  // Feet off the vertex lie ahead of it on both edges.
   int sum = 0;
+  std::vector<Rational> behind_a, behind_b;
   const BoxCorners corners(box);
-  for (const Point3& x : corners)
-    sum +=
-        compare_along(*f, minus(exactly<Rational>(x), exactly<Rational>(shape.point[f->vertex])));
-  return std::abs(sum) == corners.count;
+  for (const Point3& x : corners) {
+    const Vec<Rational> d = minus(exactly<Rational>(x), exactly<Rational>(shape.point[f->vertex]));
+    sum += compare_along(*f, d);
+    behind_a.push_back(-inner(d, f->a));
+    behind_b.push_back(-inner(d, f->b));
+  }
+  return std::abs(sum) == corners.count || exclude_each_other(behind_a, behind_b);
 }
 
 bool gains(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet, Site a, Site b,
@@ -147,7 +185,8 @@ bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box, const 
 bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {
   const Sites& sites = exclusion.sites();
   return !sites.never_essential(a, b) && !exclusion.never_tie(a, b, box) && !sites.beyond(a, box) &&
-         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b);
+         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b) &&
+         !apart_by_depth(sites, box, a, b) && !apart_by_depth(sites, box, b, a);
 }
 
 }  // namespace blum::verify

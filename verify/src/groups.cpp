@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "gains.hpp"
+
 namespace blum::verify {
 namespace {
 
 template <class Related>
-Groups components(const Sites& sites, std::span<const Site> list, Related&& related) {
+Groups components(const Sites& sites, std::span<const Site> list, const Box3& box,
+                  Related&& related) {
   constexpr auto kUnset = 0xffffffffu;
   Groups g;
   g.of.assign(list.size(), kUnset);
@@ -29,7 +32,8 @@ Groups components(const Sites& sites, std::span<const Site> list, Related&& rela
   g.cliques = true;
   for (std::size_t i = 0; i < list.size() && g.cliques; ++i)
     for (std::size_t j = 0; j < i && g.cliques; ++j)
-      g.cliques = g.of[i] != g.of[j] || sites.never_essential(list[i], list[j]);
+      g.cliques = g.of[i] != g.of[j] || sites.never_essential(list[i], list[j]) ||
+                  never_tie_from_vertex(sites.shape(), box, list[i], list[j]);
   return g;
 }
 
@@ -40,12 +44,12 @@ std::uint32_t Groups::find(std::span<const Site> sites, Site s) const {
   return it == sites.end() ? count : of[static_cast<std::size_t>(it - sites.begin())];
 }
 
-Groups groups_by_ties(const Sites& sites, std::span<const Site> list) {
-  return components(sites, list, [&](Site a, Site b) { return sites.never_essential(a, b); });
+Groups groups_by_ties(const Sites& sites, std::span<const Site> list, const Box3& box) {
+  return components(sites, list, box, [&](Site a, Site b) { return sites.never_essential(a, b); });
 }
 
 Groups groups_by_feet(const Sites& sites, std::span<const Site> list, const SharedFeet& feet) {
-  return components(sites, list, [&](Site a, Site b) { return feet.shared(a, b); });
+  return components(sites, list, feet.box(), [&](Site a, Site b) { return feet.shared(a, b); });
 }
 
 std::vector<std::uint32_t> common_corners(const Shape& shape, Site a, Site b) {
@@ -62,7 +66,8 @@ bool SharedFeet::vertex(std::uint32_t v) const {
   const Shape& shape = sites.shape();
   if (sites.cone(v).foot == VertexCone::Foot::kNever) return false;
   if (std::ranges::binary_search(shape.candidates(), shape.vertex_site(v)))
-    return listed(shape.vertex_site(v));
+    return listed(shape.vertex_site(v)) &&
+           !exclusion_.outside_polar_cone(shape.vertex_site(v), box_);
   return polar_cone_meets(shape, v, box_);
 }
 

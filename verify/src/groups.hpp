@@ -25,6 +25,7 @@ class SharedFeet {
   /// May the open edge between v and p hold such a foot? True where they are not joined.
   [[nodiscard]] bool edge(std::uint32_t v, std::uint32_t p) const;
   [[nodiscard]] bool shared(Site a, Site b) const;
+  [[nodiscard]] const Box3& box() const { return box_; }
 
  private:
   [[nodiscard]] bool listed(Site s) const;
@@ -35,7 +36,9 @@ class SharedFeet {
 
 [[nodiscard]] std::vector<std::uint32_t> common_corners(const Shape& shape, Site a, Site b);
 
-[[nodiscard]] Groups groups_by_ties(const Sites& sites, std::span<const Site> list);
+/// Cliques are of sites that do not tie essentially in the box.
+[[nodiscard]] Groups groups_by_ties(const Sites& sites, std::span<const Site> list,
+                                    const Box3& box);
 [[nodiscard]] Groups groups_by_feet(const Sites& sites, std::span<const Site> list,
                                     const SharedFeet& feet);
 

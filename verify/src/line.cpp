@@ -78,10 +78,11 @@ bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const Str
 void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd& b,
                       std::span<const Site> candidates, std::vector<Change>& out, int depth) const {
   const Box3 box = hull(line, a.t, b.t);
-  const std::vector<Site> sites = exclusion_.remaining(candidates, box);
-  const SharedFeet feet(exclusion_, sites, box);
+  std::vector<Site> sites = exclusion_.remaining(candidates, box);
   const bool thorough = depth >= kPatience;
-  if (at_most_one(line, a, b, sites, groups_by_ties(exclusion_.sites(), sites), feet, thorough,
+  if (thorough) std::erase_if(sites, [&](Site s) { return exclusion_.outside_polar_cone(s, box); });
+  const SharedFeet feet(exclusion_, sites, box);
+  if (at_most_one(line, a, b, sites, groups_by_ties(exclusion_.sites(), sites, box), feet, thorough,
                   out) ||
       (thorough && at_most_one(line, a, b, sites, groups_by_feet(exclusion_.sites(), sites, feet),
                                feet, thorough, out)))

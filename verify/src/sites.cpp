@@ -33,6 +33,24 @@ std::array<double, 3> half_widths(const Box3& box) {
   return h;
 }
 
+/// They are not iff r p + q > 0 at all corners for some r > 0.
+bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q) {
+  Rational low = 0;
+  std::optional<Rational> high;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (sgn(p[k]) == 0) {
+      if (sgn(q[k]) <= 0) return false;
+      continue;
+    }
+    const Rational r = -q[k] / p[k];
+    if (sgn(p[k]) > 0)
+      low = std::max(low, r);
+    else
+      high = high ? std::min(*high, r) : r;
+  }
+  return !high || low < *high;
+}
+
 Sites::Sites(const Shape& shape) : shape_(shape) {
   for (Site s = 0; s < shape.sites(); ++s) condition_.push_back(make_conditions(s));
   for (std::uint32_t v = 0; v < shape.point.size(); ++v) cone_.push_back(vertex_cone(shape, v));
@@ -111,7 +129,6 @@ bool Sites::beyond(Site s, const Box3& box) const {
 }
 
 bool Sites::beyond_two(Site s, const Box3& box) const {
-  // p <= 0 and q <= 0 meet in no point of the box iff r p + q > 0 at all corners for some r > 0.
   const BoxCorners corners(box);
   std::vector<std::vector<Rational>> value;  // by condition, corner
   for (const Condition& c : conditions(s)) {
@@ -122,24 +139,8 @@ bool Sites::beyond_two(Site s, const Box3& box) const {
           inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape_.point[c.base]))));
   }
   for (std::size_t i = 0; i < value.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      Rational low = 0;
-      std::optional<Rational> high;
-      bool possible = true;
-      for (std::size_t k = 0; k < value[i].size() && possible; ++k) {
-        const Rational &p = value[i][k], &q = value[j][k];
-        if (sgn(p) == 0) {
-          possible = sgn(q) > 0;
-          continue;
-        }
-        const Rational r = -q / p;
-        if (sgn(p) > 0)
-          low = std::max(low, r);
-        else
-          high = high ? std::min(*high, r) : r;
-      }
-      if (possible && (!high || low < *high)) return true;
-    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (exclude_each_other(value[i], value[j])) return true;
   return false;
 }
 
@@ -152,6 +153,29 @@ bool Sites::hold(std::span<const Condition> conditions, const Box3& box) const {
 
 bool Sites::covers(Site s, const Box3& box) const {
   return hold(conditions(s).first(own_conditions(s)), box);
+}
+
+std::vector<std::uint32_t> Sites::meeting(std::span<const std::uint32_t> triangles,
+                                          const Box3& box) const {
+  const BoxCorners corners(box);
+  std::vector<std::uint32_t> kept;
+  for (const auto t : triangles) {
+    const auto& v = shape_.triangle[t].vertex;
+    bool apart = false;
+    for (int k = 0; k < 3 && !apart; ++k) {
+      const double a = shape_.point[v[0]][k], b = shape_.point[v[1]][k], c = shape_.point[v[2]][k];
+      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
+    }
+    const auto all = [&](const Condition& c, int sign) {
+      return std::ranges::all_of(corners,
+                                 [&](const Point3& x) { return this->sign(c, x) == sign; });
+    };
+    const auto own = conditions(shape_.face_site(t));
+    apart = apart || all(own[3], 1) || all(own[3], -1);
+    for (std::size_t k = 0; k < 3 && !apart; ++k) apart = all(own[k], 1);
+    if (!apart) kept.push_back(t);
+  }
+  return kept;
 }
 
 bool Sites::covers_inside(Site face, const Box3& box) const { return hold(conditions(face), box); }

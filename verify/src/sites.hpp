@@ -35,6 +35,10 @@ struct BoxCorners {
 /// At least half the box's size about that.
 [[nodiscard]] std::array<double, 3> half_widths(const Box3& box);
 
+/// Of two affine functions by their values at the corners of a box: are both <= 0 in no point of
+/// it?
+[[nodiscard]] bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q);
+
 class Sites {
  public:
   explicit Sites(const Shape& shape);
@@ -61,6 +65,10 @@ class Sites {
 
   /// The same for a face and, if it leaves the face across a flat edge, the neighbour there.
   [[nodiscard]] bool covers_with_neighbour(Site face, const Box3& box) const;
+
+  /// The triangles that may meet the box: no coordinate, no side or plane of theirs parts them.
+  [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> triangles,
+                                                   const Box3& box) const;
 
   /// Sign of d_a(x) - d_b(x), distances to the carriers.
   [[nodiscard]] int compare(const Point3& x, Site a, Site b) const;

@@ -49,9 +49,8 @@ class Checker {
                   const std::vector<std::uint32_t>& triangles, int depth);
   void check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
                   std::vector<std::uint32_t> triangles);
-  void exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates, int looks);
-  [[nodiscard]] std::vector<std::uint32_t> meeting(const std::vector<std::uint32_t>& triangles,
-                                                   const Box3& box) const;
+  void exclude(const nlohmann::json& excluded, const Box3& box,
+               const std::vector<std::uint32_t>& triangles, Candidates& candidates, int looks);
   using Lines = std::map<std::array<double, 3>, Line>;  // solved for one leaf, by axis, u, v
   [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const nlohmann::json& j,
                                         std::span<const Site> candidates,
@@ -92,30 +91,8 @@ bool Checker::inside(const Point3& x) {
   return it->second;
 }
 
-std::vector<std::uint32_t> Checker::meeting(const std::vector<std::uint32_t>& triangles,
-                                            const Box3& box) const {
-  const BoxCorners corners(box);
-  std::vector<std::uint32_t> kept;
-  for (const auto t : triangles) {
-    const auto& v = shape_.triangle[t].vertex;
-    bool apart = false;
-    for (int k = 0; k < 3 && !apart; ++k) {
-      const double a = shape_.point[v[0]][k], b = shape_.point[v[1]][k], c = shape_.point[v[2]][k];
-      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
-    }
-    const auto all = [&](const Condition& c, int sign) {
-      return std::ranges::all_of(corners,
-                                 [&](const Point3& x) { return sites_.sign(c, x) == sign; });
-    };
-    const auto conditions = sites_.conditions(shape_.face_site(t));
-    apart = apart || all(conditions[3], 1) || all(conditions[3], -1);
-    for (std::size_t k = 0; k < 3 && !apart; ++k) apart = all(conditions[k], 1);
-    if (!apart) kept.push_back(t);
-  }
-  return kept;
-}
-
-void Checker::exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates,
+void Checker::exclude(const nlohmann::json& excluded, const Box3& box,
+                      const std::vector<std::uint32_t>& triangles, Candidates& candidates,
                       int looks) {
   const std::vector<Site> sites = read_sites(excluded, shape_.sites());
   std::vector<Site> kept, still;
@@ -123,7 +100,7 @@ void Checker::exclude(const nlohmann::json& excluded, const Box3& box, Candidate
   std::ranges::set_intersection(candidates.kept, sites, std::back_inserter(candidates.pending));
   for (const Site s : candidates.pending) {
     ++answer_.exclusions;
-    if (!exclusion_.governs_nothing(s, box, kept, looks)) still.push_back(s);
+    if (!exclusion_.governs_nothing(s, box, kept, triangles, looks)) still.push_back(s);
   }
   candidates = {std::move(kept), std::move(still)};
 }
@@ -162,7 +139,7 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, Candidates ca
     leaf.outside = true;
     require(triangles.empty() && !inside(box.lo), "a leaf meets the solid and is called outside");
   } else {
-    exclude(j.at("excluded"), box, candidates, kLeafLooks);
+    exclude(j.at("excluded"), box, triangles, candidates, kLeafLooks);
     if (!candidates.pending.empty())
       throw Failure("candidates: site " + std::to_string(candidates.pending.front()) +
                     " was excluded and may govern a point of leaf " + std::to_string(leaf_.size()));
@@ -194,14 +171,14 @@ void Checker::check_tree(std::uint32_t node, Candidates candidates,
                          const std::vector<std::uint32_t>& parent_triangles, int depth) {
   require(depth < kMaxDepth, "the tree of cells is too deep");
   const Box3 box = node_[node].box;
-  std::vector<std::uint32_t> triangles = meeting(parent_triangles, box);
+  std::vector<std::uint32_t> triangles = sites_.meeting(parent_triangles, box);
   if (reader_.at("leaf")) {
     node_[node].leaf = static_cast<std::uint32_t>(leaf_.size());
     check_leaf(reader_.next("leaf"), box, std::move(candidates), std::move(triangles));
     return;
   }
   const nlohmann::json j = reader_.next("node");
-  exclude(j.at("excluded"), box, candidates, kNodeLooks);
+  exclude(j.at("excluded"), box, triangles, candidates, kNodeLooks);
   const int axis = static_cast<int>(read_index(j.at("axis"), 3));
   const double cut = read_number(j.at("cut"));
   require(cut > box.lo[axis] && cut < box.hi[axis],
