@@ -103,33 +103,44 @@ int compare_along(const Fork& f, const Vec<Rational>& w) {
                                       inner(f.b, f.b));
 }
 
+/// Points whose hull holds the feet on s of all points of the box that s governs.
+std::vector<Vec<Rational>> hull_of_feet(const Shape& shape, const Box3& box, Site s) {
+  std::vector<Vec<Rational>> hull;
+  for (const auto v : shape.corners(s)) hull.push_back(exactly<Rational>(shape.point[v]));
+  if (hull.size() != 2) return hull;
+  const Vec<Rational> from = hull[0], along = minus(hull[1], from);
+  Rational low = 1, high = 0;
+  for (const Point3& x : BoxCorners(box)) {
+    const Rational share = inner(minus(exactly<Rational>(x), from), along) / inner(along, along);
+    low = std::min(low, share);
+    high = std::max(high, share);
+  }
+  if (low > 0 && low < 1) hull[0] = plus(from, times(along, low));
+  if (high > 0 && high < 1) hull[1] = plus(from, times(along, high));
+  return hull;
+}
+
 /// "Depth": a point of the box with feet y_a in a face and y_b on b has |y_a - y_b|^2 = 2 d h, h
 /// the depth of y_b before the face. So there is none where b is farther than that beyond a side of
 /// it.
-bool apart_by_depth(const Sites& sites, const Box3& box, Site a, Site b) {
-  const Shape& shape = sites.shape();
+bool apart_by_depth(const Shape& shape, const Box3& box, Site a, Site b) {
   if (shape.kind(a) != Kind::kFace) return false;
-  const auto t = shape.element(a);
-  const auto& v = shape.triangle[t].vertex;
-  const Vec<Rational> n = shape.normal<Rational>(t);
-  const auto above = [&](const Vec<Rational>& w, std::uint32_t from, const Point3& x) {
-    return Rational(inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape.point[from]))));
+  const auto& v = shape.triangle[shape.element(a)].vertex;
+  const Vec<Rational> n = shape.normal<Rational>(shape.element(a));
+  const auto above = [&](const Vec<Rational>& w, std::uint32_t from, const Vec<Rational>& x) {
+    return Rational(inner(w, minus(x, exactly<Rational>(shape.point[from]))));
   };
+  const std::vector<Vec<Rational>> feet = hull_of_feet(shape, box, b);
+  Rational distance = 0, depth = 0;  // both times |n|
+  for (const Point3& x : BoxCorners(box))
+    distance = std::max(distance, Rational(-above(n, v[0], exactly<Rational>(x))));
+  for (const auto& y : feet) depth = std::max(depth, Rational(-above(n, v[0], y)));
   for (std::size_t k = 0; k < 3; ++k) {
-    const Corners corners = shape.corners(b);
-    if (!std::ranges::all_of(corners, [&](std::uint32_t q) {
-          return sites.sign(sites.conditions(a)[k], shape.point[q]) > 0;
-        }))
-      continue;
-    Rational distance = 0, depth = 0;  // both times |n|
-    for (const Point3& x : BoxCorners(box))
-      distance = std::max(distance, Rational(-above(n, v[0], x)));
-    for (const auto q : corners) depth = std::max(depth, Rational(-above(n, v[0], shape.point[q])));
     const Vec<Rational> side = outer(shape.along<Rational>(v[k], v[(k + 1) % 3]), n);
     const Rational farthest = 2 * distance * depth * inner(side, side) / inner(n, n);
-    if (std::ranges::all_of(corners, [&](std::uint32_t q) {
-          const Rational beyond = above(side, v[k], shape.point[q]);
-          return beyond * beyond > farthest;
+    if (std::ranges::all_of(feet, [&](const auto& y) {
+          const Rational beyond = above(side, v[k], y);
+          return beyond > 0 && beyond * beyond > farthest;
         }))
       return true;
   }
@@ -174,7 +185,9 @@ bool gains(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet, 
 bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet,
                              Site a, Site b, const std::optional<Vec<Rational>>& w, int& looks) {
   if (--looks < 0) return false;
-  if (!may_both_govern(exclusion, box, a, b) || (w && gains(exclusion, box, feet, a, b, *w)))
+  const Shape& shape = exclusion.sites().shape();
+  if (!may_both_govern(exclusion, box, a, b) || (w && gains(exclusion, box, feet, a, b, *w)) ||
+      apart_by_depth(shape, box, a, b) || apart_by_depth(shape, box, b, a))
     return true;
   const auto half = halved(box);
   return half && std::ranges::all_of(*half, [&](const Box3& part) {
@@ -185,8 +198,7 @@ bool gains_where_both_govern(const Exclusion& exclusion, const Box3& box, const 
 bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {
   const Sites& sites = exclusion.sites();
   return !sites.never_essential(a, b) && !exclusion.never_tie(a, b, box) && !sites.beyond(a, box) &&
-         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b) &&
-         !apart_by_depth(sites, box, a, b) && !apart_by_depth(sites, box, b, a);
+         !sites.beyond(b, box) && !never_tie_from_vertex(sites.shape(), box, a, b);
 }
 
 }  // namespace blum::verify

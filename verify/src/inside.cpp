@@ -1,44 +1,49 @@
 #include "inside.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace blum::verify {
 
-int turn(int axis, const Point3& p, const Point3& q, double u, double v) {
-  const int ua = u_axis(axis), va = v_axis(axis);
-  return decide([&]<class N>(const N&) {
-    return sign_of(
-        N((N(q[ua]) - N(p[ua])) * (N(v) - N(p[va])) - (N(q[va]) - N(p[va])) * (N(u) - N(p[ua]))));
-  });
+std::optional<std::vector<std::uint32_t>> triangles_crossed(
+    const Shape& shape, const Segment& segment, std::span<const std::uint32_t> triangles) {
+  const int axis = segment.axis, u = u_axis(axis), v = v_axis(axis);
+  const Point3 first = point_on(axis, segment.t0, segment.u, segment.v),
+               last = point_on(axis, segment.t1, segment.u, segment.v);
+  std::vector<std::uint32_t> crossed;
+  for (const auto t : triangles) {
+    const auto corner = [&](int k) { return shape.point[shape.triangle[t].vertex[k % 3]]; };
+    const auto apart = [&](int a) {
+      const double p = corner(0)[a], q = corner(1)[a], r = corner(2)[a];
+      return std::max({p, q, r}) < first[a] || std::min({p, q, r}) > last[a];
+    };
+    if (apart(0) || apart(1) || apart(2)) continue;
+    int left = 0, right = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Point3 p = corner(k), q = corner(k + 1);
+      const int turn = decide([&]<class N>(const N&) {
+        return sign_of(N((N(q[u]) - N(p[u])) * (N(segment.v) - N(p[v])) -
+                         (N(q[v]) - N(p[v])) * (N(segment.u) - N(p[u]))));
+      });
+      left += turn > 0;
+      right += turn < 0;
+    }
+    if (left > 0 && right > 0) continue;
+    const int s0 = shape.side_of_plane(t, first), s1 = shape.side_of_plane(t, last);
+    if (s0 * s1 > 0) continue;
+    if (left + right < 3 || s0 * s1 == 0) return std::nullopt;
+    crossed.push_back(t);
+  }
+  return crossed;
 }
 
 std::optional<bool> is_inside(const Shape& shape, const Point3& x) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = u_axis(axis), v = v_axis(axis);
-    bool touches = false, inside = false;
-    for (std::uint32_t t = 0; t < shape.triangle.size() && !touches; ++t) {
-      const auto corner = [&](int k) -> const Point3& {
-        return shape.point[shape.triangle[t].vertex[static_cast<std::size_t>(k % 3)]];
-      };
-      const auto apart = [&](int a, bool ahead_only) {
-        const double p = corner(0)[a], q = corner(1)[a], r = corner(2)[a];
-        return std::max({p, q, r}) < x[a] || (!ahead_only && std::min({p, q, r}) > x[a]);
-      };
-      if (apart(u, false) || apart(v, false) || apart(axis, true)) continue;
-      int left = 0, right = 0;
-      for (int k = 0; k < 3; ++k) {
-        const int s = turn(axis, corner(k), corner(k + 1), x[u], x[v]);
-        left += s > 0;
-        right += s < 0;
-      }
-      if (left > 0 && right > 0) continue;
-      const int side = shape.side_of_plane(t, x);
-      touches = left + right < 3 || side == 0;
-      // Ahead along the axis: counter-clockwise triangles (left) face it.
-      if (!touches && (side < 0) == (left > 0)) inside = !inside;
-    }
-    if (!touches) return inside;
-  }
+  std::vector<std::uint32_t> all(shape.triangle.size());
+  std::iota(all.begin(), all.end(), 0u);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const auto crossed =
+            triangles_crossed(shape, {axis, x[u_axis(axis)], x[v_axis(axis)], x[axis], 2}, all))
+      return crossed->size() % 2 == 1;
   return std::nullopt;
 }
 

@@ -10,7 +10,9 @@ namespace blum::verify {
 /// nullopt where the rays along all axes touch an edge of the surface, or x lies on it.
 [[nodiscard]] std::optional<bool> is_inside(const Shape& shape, const Point3& x);
 
-/// Sign of the turn of p, q and (u, v), projected along `axis`.
-[[nodiscard]] int turn(int axis, const Point3& p, const Point3& q, double u, double v);
+/// The triangles, of some, that a segment crosses; nullopt where it meets an edge of the surface,
+/// or ends on it.
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> triangles_crossed(
+    const Shape& shape, const Segment& segment, std::span<const std::uint32_t> triangles);
 
 }  // namespace blum::verify

@@ -71,6 +71,13 @@ class Shape {
     return vertices() + edges() + static_cast<std::uint32_t>(triangle.size());
   }
   [[nodiscard]] Corners corners(Site s) const;
+  /// The triangle on the other side of an edge; the end of an edge at the other end.
+  [[nodiscard]] std::uint32_t across(std::uint32_t e, std::uint32_t t) const {
+    return edge[e].triangle[edge[e].triangle[0] == t ? 1 : 0];
+  }
+  [[nodiscard]] std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const {
+    return edge[e].vertex[edge[e].vertex[0] == v ? 1 : 0];
+  }
   /// The edge between two vertices; nullopt if there is none.
   [[nodiscard]] std::int64_t edge_between(std::uint32_t a, std::uint32_t b) const;
 
