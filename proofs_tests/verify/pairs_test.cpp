@@ -43,8 +43,8 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
     const Site s = c.shape.face_site(t);
     if (!c.sites.covers(s, box)) continue;
     const double z = c.shape.point[c.shape.triangle[t].vertex[0]].z;
-    if (z == 0 && c.shape.normal<double>(t)[2] != 0) bottom = s;
-    if (z == high && c.shape.normal<double>(t)[2] != 0) top = s;
+    if (z == 0 && c.shape.normal<Rational>(t)[2] != 0) bottom = s;
+    if (z == high && c.shape.normal<Rational>(t)[2] != 0) top = s;
   }
   ASSERT_NE(bottom, top);
   const std::vector<Site> both{bottom, top};

@@ -45,7 +45,7 @@ class Surface {
   void check_trees() const { require(!loop_, "Theorem B: the graph on the cell has a loop"); }
   void check() {
     for (const auto v : vertex_)
-      require(sites_.cone(v).axis_connected,
+      require(shape_.cone[v].axis_connected,
               "Theorem C: the axis near a vertex may be disconnected");
     glue_surface();
     check_euler();
@@ -199,7 +199,7 @@ int Surface::flow(std::size_t f, Site label) const {
   Vec<Rational> normal{};
   normal[r.axis] = outward;
   std::set<int> signs;
-  for (const Point3& x : BoxCorners(box_of(r))) signs.insert(sites_.outward(x, label, normal));
+  for (const Point3& x : corners_of(box_of(r))) signs.insert(sites_.outward(x, label, normal));
   return signs.size() == 1 ? *signs.begin() : 0;
 }
 
@@ -326,7 +326,7 @@ void check_conical(const Sites& sites, const Box3& box, std::uint32_t vertex,
   require(vertices_in(sites.shape(), box, triangles) == std::vector{vertex},
           "Theorem B: the vertex is not the only one in the cell");
   for (const Site s : candidates)
-    require(sites.shape().corners(s).has(vertex), "Theorem B: a site does not meet the vertex");
+    require(sites.shape().has_corner(s, vertex), "Theorem B: a site does not meet the vertex");
   Surface(sites, box, triangles, face).check_trees();
 }
 

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "failure.hpp"
-#include "inside.hpp"
 
 namespace blum::verify {
 
@@ -30,8 +29,9 @@ bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const Str
                       last = groups.find(sites, b.label);
   require(first < n && last < n, "line: the governor of an end was excluded");
   const Box3& box = feet.box();
-  Vec<Rational> w{};
-  w[line.axis] = 1;
+  Vec<Rational> axis{};
+  axis[static_cast<std::size_t>(line.axis)] = 1;
+  const Exact w(axis);
   // Where the governor may change from one group to another: a pair where the first does not gain.
   std::vector<bool> walk(std::size_t{n} * n, false);
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -99,9 +99,9 @@ Line LineSolver::solve(const Segment& segment, bool starts_inside, std::span<con
   require(crossed.has_value(), "line: meets a boundary edge, or ends on the boundary");
   std::vector<std::pair<Rational, std::uint32_t>> crossing;
   for (const auto t : *crossed) {
-    const Vec<Rational> n = shape.normal<Rational>(t),
-                        p = exactly<Rational>(shape.point[shape.triangle[t].vertex[0]]);
-    const Rational height = inner(n, minus(exactly<Rational>(at(segment, segment.t0)), p));
+    const Vec<Rational>& n = shape.normal<Rational>(t);
+    const Rational height =
+        inner(n, shape.from<Rational>(shape.triangle[t].vertex[0], at(segment, segment.t0)));
     crossing.emplace_back(Rational(segment.t0) - height / n[segment.axis], t);
   }
   std::ranges::sort(crossing);

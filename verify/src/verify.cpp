@@ -9,7 +9,6 @@
 
 #include "failure.hpp"
 #include "glue.hpp"
-#include "inside.hpp"
 #include "pruning.hpp"
 #include "reader.hpp"
 
