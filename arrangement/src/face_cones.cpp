@@ -5,7 +5,7 @@
 #include <set>
 
 #include "face_engine.hpp"
-#include "polar_cone.hpp"
+#include "blum/arrangement/polar_cone.hpp"
 #include "vertex_cone.hpp"
 
 namespace blum {

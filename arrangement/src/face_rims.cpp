@@ -8,7 +8,7 @@
 
 #include "blum/kernel/check.hpp"
 #include "face_engine.hpp"
-#include "polar_cone.hpp"
+#include "blum/arrangement/polar_cone.hpp"
 #include "vertex_cone.hpp"
 
 namespace blum {

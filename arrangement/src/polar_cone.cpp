@@ -1,4 +1,4 @@
-#include "polar_cone.hpp"
+#include "blum/arrangement/polar_cone.hpp"
 
 #include <gmpxx.h>
 

@@ -6,7 +6,7 @@
 #include "blum/arrangement/brute_engine.hpp"
 #include "blum/kernel/check.hpp"
 #include "group_changes.hpp"
-#include "polar_cone.hpp"
+#include "blum/arrangement/polar_cone.hpp"
 #include "slope.hpp"
 
 namespace blum {

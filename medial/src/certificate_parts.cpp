@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "blum/arrangement/polar_cone.hpp"
 #include "blum/kernel/closest_point.hpp"
 #include "blum/kernel/union_find.hpp"
 
@@ -198,8 +199,16 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
       n->v0 = part.v0;
       n->v1 = part.v1;
     }
-    j.push_back({"exact", sites(r.sites),
-                 directions(propose_directions(geometry, predicates, part, r.sites))});
+    // Vertices that are feet of no point of the part would tie the edges there into one group.
+    std::vector<SiteId> kept;
+    for (const SiteId s : r.sites)
+      if (geometry.index().kind(s) != SiteKind::kVertex ||
+          meets_polar_cone(geometry.solid(), geometry.index().element(s),
+                           point_on(part.axis, part.level, part.u0, part.v0),
+                           point_on(part.axis, part.level, part.u1, part.v1)))
+        kept.push_back(s);
+    j.push_back(
+        {"exact", sites(kept), directions(propose_directions(geometry, predicates, part, kept))});
   };
   std::vector<Rect> open{face.rect};  // parts still to come
   for (const PartRecord& r : records) {

@@ -9,7 +9,6 @@
 #include "blum/kernel/shapes.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "exclusion.hpp"
-#include "inside.hpp"
 
 namespace blum::test {
 namespace {
@@ -43,8 +42,8 @@ verify::Site site(const Both& b, const SiteIndex& index, SiteId s) {
     case SiteKind::kVertex:
       return b.shape.vertex_site(i);
     case SiteKind::kEdge:
-      return b.shape.edge_site(static_cast<std::uint32_t>(
-          b.shape.edge_between(b.solid.edge[i].vertex[0], b.solid.edge[i].vertex[1])));
+      return b.shape.edge_site(
+          b.shape.edge_between(b.solid.edge[i].vertex[0], b.solid.edge[i].vertex[1]).value());
     case SiteKind::kFace:
       break;
   }

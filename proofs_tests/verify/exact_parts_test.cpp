@@ -67,6 +67,24 @@ TEST(VerifyFixtures, NeedleAndThinWall_Verified) {
   }
 }
 
+// A part that a hole cuts into a piece of the solid and a piece outside, where sites are near that
+// govern nothing inside; and two edges in line but for rounding, with a polar cone as thin.
+TEST(VerifyFixtures, PartCutByAHoleAndThinPolarCone_Verified) {
+  for (const Certified& c : {fixture("part_cut_by_hole", 655), fixture("thin_polar_cone", 152)}) {
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
+// An edge beside a face in its plane but for rounding: they do not tie, as the gap is wider than
+// their depth allows.
+TEST(SweepVerifyFixtures, EdgesBesideFacesInTheirPlanes_Verified) {
+  for (const Certified& c : {fixture("wall_by_depth", 337), fixture("sliver_by_depth", 62)}) {
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
 /// With the change of its nth exact part.
 template <class F>
 verify::Answer changed(const Certified& c, std::size_t n, F&& change) {

@@ -1,6 +1,7 @@
 // What the checker says of pairs of sites on a box and its halves, at points of the box.
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 #include "certificates.hpp"
@@ -42,13 +43,15 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
     const Site s = c.shape.face_site(t);
     if (!c.sites.covers(s, box)) continue;
     const double z = c.shape.point[c.shape.triangle[t].vertex[0]].z;
-    if (z == 0 && c.shape.normal<double>(t)[2] != 0) bottom = s;
-    if (z == high && c.shape.normal<double>(t)[2] != 0) top = s;
+    if (z == 0 && c.shape.normal<Rational>(t)[2] != 0) bottom = s;
+    if (z == high && c.shape.normal<Rational>(t)[2] != 0) top = s;
   }
   ASSERT_NE(bottom, top);
   const std::vector<Site> both{bottom, top};
-  EXPECT_TRUE(c.exclusion.governs_nothing(bottom, box, both, 1));
-  EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, 1000));
+  std::vector<std::uint32_t> every(c.shape.triangle.size());
+  std::iota(every.begin(), every.end(), 0u);
+  EXPECT_TRUE(c.exclusion.governs_nothing(bottom, box, both, every, 1));
+  EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, every, 1000));
 }
 
 /// Of sites whose domains are convex: where they never tie one is the nearer in all of them, and

@@ -13,23 +13,26 @@ class Exclusion {
  public:
   explicit Exclusion(const Sites& sites);
 
-  /// Is it certain that s governs no point of box ∩ O? `against`: sites whose distances are bounds.
-  /// Halves the box where needed, and looks at `most` boxes at most.
+  /// Is it certain that s governs no point of box ∩ O? `against`: sites whose distances are bounds;
+  /// `triangles`: all that meet the box. Halves the box where needed, and looks at `most` boxes at
+  /// most.
   [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against,
+                                     std::span<const std::uint32_t> triangles,
                                      int most = 2000) const;
+  /// A vertex whose polar cone misses the box, which is flat: it governs nothing there.
+  [[nodiscard]] bool outside_polar_cone(Site s, const Box3& box) const;
   /// Those of `candidates` that may govern a point of box ∩ O, by one look at the whole box.
   [[nodiscard]] std::vector<Site> remaining(std::span<const Site> candidates,
                                             const Box3& box) const;
   /// Is it certain that no point of box ∩ O is governed by both?
   [[nodiscard]] bool never_tie(Site a, Site b, const Box3& box) const;
-
   /// Three faces: is b certain to be nearer wherever in box ∩ O both a and c govern? Then nowhere.
   [[nodiscard]] bool nearer_at_ties(Site b, Site a, Site c, const Box3& box) const;
 
   [[nodiscard]] const Sites& sites() const { return sites_; }
 
-  /// Unit outer normal of a face, unit direction of an edge.
-  [[nodiscard]] const BallVector& unit(Site s) const { return unit_[s]; }
+  /// Unit outer normal of a triangle.
+  [[nodiscard]] const BallVector& unit(std::uint32_t t) const { return unit_[t]; }
 
  private:
   struct View;  // of a box: centre, half widths, bound on the distance at the centre
@@ -39,10 +42,10 @@ class Exclusion {
   [[nodiscard]] bool farther(Site a, Site b, const Box3& box, bool inside_b) const;
   [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
   [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
-                            int& looks) const;
+                            std::span<const std::uint32_t> triangles, int& looks) const;
 
   const Sites& sites_;
-  std::vector<BallVector> unit_;  // of faces and edges
+  std::vector<BallVector> unit_;
 };
 
 }  // namespace blum::verify

@@ -1,6 +1,7 @@
 #include "face.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "blum/kernel/union_find.hpp"
@@ -11,31 +12,16 @@ namespace blum::verify {
 
 Segment side_of(const Rect& r, int side) {
   const int u = u_axis(r.axis), v = v_axis(r.axis);
-  switch (side) {
-    case 0:
-      return {u, r.v0, r.level, r.u0, r.u1};  // (u_axis(u), v_axis(u)) == (v, axis)
-    case 1:
-      return {v, r.level, r.u1, r.v0, r.v1};
-    case 2:
-      return {u, r.v1, r.level, r.u0, r.u1};
-    default:
-      return {v, r.level, r.u0, r.v0, r.v1};
-  }
+  if (side % 2 == 0) return {u, side == 0 ? r.v0 : r.v1, r.level, r.u0, r.u1};
+  return {v, r.level, side == 1 ? r.u1 : r.u0, r.v0, r.v1};
 }
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
-/// A line with names: nodes for its ties, elements of regions for its pieces inside.
-struct Side {
-  Line line;
-  std::vector<std::uint32_t> node, element;
-};
-
+/// Sides have nodes for the ids of their ties, and elements of regions for those of their pieces.
 struct Box {
   Rect rect;
-  std::array<Side, 4> side;
+  std::array<Line, 4> side;
   std::vector<Site> candidates;
 };
 
@@ -54,8 +40,7 @@ struct Interval {
 };
 
 std::vector<Interval> intervals(const Circle& circle) {
-  const auto first = std::ranges::find_if(circle, &Step::separates);
-  const auto start = static_cast<std::size_t>(first - circle.begin());
+  const auto start = std::ranges::find_if(circle, &Step::separates) - circle.begin();
   std::vector<Interval> found;
   for (std::size_t k = 0; k < circle.size(); ++k) {
     const Step& s = circle[(start + k) % circle.size()];
@@ -68,100 +53,84 @@ std::vector<Interval> intervals(const Circle& circle) {
 
 class FaceChecker {
  public:
-  FaceChecker(const Exclusion& exclusion, std::span<const std::uint32_t> triangles,
-              std::span<const PartNode> parts)
+  FaceChecker(const Exclusion& exclusion, const Rect& rect, std::span<const Site> candidates,
+              std::span<const std::uint32_t> triangles, std::span<const PartNode> parts)
       : exclusion_(exclusion),
         shape_(exclusion.sites().shape()),
         lines_(exclusion),
+        rect_(rect),
         triangles_(triangles.begin(), triangles.end()),
+        candidates_(candidates.begin(), candidates.end()),
         parts_(parts) {}
 
-  FaceMap run(const Rect& rect, const std::array<Line, 4>& sides, std::span<const Site> candidates);
+  FaceMap run(const std::array<Line, 4>& sides);
 
  private:
-  void find_traces(const Rect& rect);
+  void find_traces();
   [[nodiscard]] bool holds(const Rect& r, std::uint32_t edge) const;
-  [[nodiscard]] Side name(Line line, int side);
+  [[nodiscard]] Line name(Line line, int side);
   void check(Box box);
   void check_part(const Box& box, const Claim& claim);
   [[nodiscard]] std::vector<Circle> circles(const Box& box, bool& loop) const;
-  void check_star(const Part& part, const SharedFeet& feet, const std::vector<Circle>& circles,
-                  const Claim& claim) const;
-  /// Ends and runs of a circle, run[k] after end[k]: an element and a governor of each.
-  struct Border {
-    std::vector<std::uint32_t> end, run;
-    std::vector<Site> label;
-  };
-  Border label(const Circle& circle, const Part& part, const Groups& feet);
-  void record(const Circle& circle, const Part& part, const Groups& feet, bool rim);
-  void record_chords(const Circle& circle, const Part& part, const Groups& feet,
-                     const Claim& claim);
-  [[nodiscard]] std::uint32_t new_element();
-  [[nodiscard]] std::uint32_t element_of(const Step& s);
-  [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge);
+  /// The groups, and whether the part is one of chords.
+  std::pair<Groups, bool> check_star(const Part& part, const SharedFeet& feet,
+                                     const std::vector<Circle>& circles, const Claim& claim) const;
+  bool check_about_vertex(const Part& part, const SharedFeet& feet, const Groups& groups,
+                          const std::vector<Circle>& circles, const Claim& claim) const;
+  void record(const Circle& circle, const Part& part, const Groups& feet, bool rim,
+              const Groups* chords);
+  [[nodiscard]] std::uint32_t new_element() {
+    labels_.emplace_back();
+    piece_.add();
+    return region_.add();
+  }
+  [[nodiscard]] std::uint32_t element_of(const Step& s) {
+    if (s.kind == Step::Kind::kPiece) return s.id;
+    const auto [it, fresh] = trace_element_.try_emplace(s.id, 0u);
+    if (fresh) it->second = new_element();
+    return it->second;
+  }
+  [[nodiscard]] std::uint32_t new_node(const FaceMap::Node& node, bool through = false) {
+    node_.push_back(node);
+    through_.push_back(through);
+    return static_cast<std::uint32_t>(node_.size() - 1);
+  }
   void splice();
   [[nodiscard]] FaceMap assemble(const Box& root);
 
   const Exclusion& exclusion_;
   const Shape& shape_;
   LineSolver lines_;
+  Rect rect_;
   std::vector<std::uint32_t> triangles_;
+  std::vector<Site> candidates_;  // sorted
   std::span<const PartNode> parts_;
   std::size_t next_part_ = 0;
-  int u_ = 0, v_ = 0;
   std::map<std::uint32_t, std::array<Rational, 2>> point_;              // boundary edge -> (u, v)
   std::map<std::uint32_t, std::array<std::uint32_t, 2>> trace_;         // triangle -> two edges
   std::map<std::uint32_t, std::uint32_t> trace_element_, convex_node_;  // by triangle, edge
-  std::vector<FaceMap::Node> node_;
-  std::vector<std::uint32_t> node_element_;
-  std::vector<bool> through_;     // nodes inside the rectangle where two parts meet
-  std::vector<Site> candidates_;  // of the rectangle, sorted
+  std::vector<FaceMap::Node> node_;  // their pieces: elements; kNone where there is no node left
+  std::vector<bool> through_;        // nodes inside the rectangle where two parts meet
   std::vector<FaceMap::Arc> arc_;
   UnionFind region_, piece_;  // of elements
   std::vector<std::vector<Site>> labels_;
 };
 
-std::uint32_t FaceChecker::new_element() {
-  labels_.emplace_back();
-  piece_.add();
-  return region_.add();
-}
-
-std::uint32_t FaceChecker::element_of(const Step& s) {
-  if (s.kind == Step::Kind::kPiece) return s.id;
-  const auto [it, fresh] = trace_element_.try_emplace(s.id, 0u);
-  if (fresh) it->second = new_element();
-  return it->second;
-}
-
-std::uint32_t FaceChecker::convex_node(std::uint32_t edge) {
-  const auto [it, fresh] = convex_node_.try_emplace(edge, static_cast<std::uint32_t>(node_.size()));
-  if (fresh) {
-    node_.push_back({FaceMap::Node::Kind::kConvexEdge, 0, 0, edge, 0, {}});
-    node_element_.push_back(kNone);
-    through_.push_back(false);
-  }
-  return it->second;
-}
-
-void FaceChecker::find_traces(const Rect& rect) {
+void FaceChecker::find_traces() {
   for (const auto t : triangles_) {
-    const Triangle& tri = shape_.triangle[t];
-    std::array<std::uint32_t, 2> ends{};
-    int n = 0;
-    for (const auto e : tri.edge) {
-      const Point3 &a = shape_.point[shape_.edge[e].vertex[0]],
-                   &b = shape_.point[shape_.edge[e].vertex[1]];
-      require(a[rect.axis] != rect.level && b[rect.axis] != rect.level,
-              "face: a boundary vertex lies in its plane");
-      if ((a[rect.axis] < rect.level) == (b[rect.axis] < rect.level)) continue;
-      const Rational s =
-          (Rational(rect.level) - a[rect.axis]) / (Rational(b[rect.axis]) - a[rect.axis]);
-      point_[e] = {Rational(a[u_]) + s * (Rational(b[u_]) - a[u_]),
-                   Rational(a[v_]) + s * (Rational(b[v_]) - a[v_])};
-      ends[n++] = e;
+    std::vector<std::uint32_t> ends;
+    for (const auto e : shape_.triangle[t].edge) {
+      const auto [v, w] = shape_.edge[e].vertex;
+      const Vec<Rational> a = exactly<Rational>(shape_.point[v]), d = shape_.along<Rational>(v, w);
+      const Rational h = rect_.level - a[rect_.axis];
+      require(h != 0 && h != d[rect_.axis], "face: a boundary vertex lies in its plane");
+      const Rational s = d[rect_.axis] == 0 ? Rational(-1) : Rational(h / d[rect_.axis]);
+      if (s < 0 || s > 1) continue;
+      const int u = u_axis(rect_.axis), v_ = v_axis(rect_.axis);
+      point_[e] = {Rational(a[u] + s * d[u]), Rational(a[v_] + s * d[v_])};
+      ends.push_back(e);
     }
-    if (n == 2) trace_[t] = ends;
+    if (ends.size() == 2) trace_[t] = {ends[0], ends[1]};
   }
 }
 
@@ -171,60 +140,47 @@ bool FaceChecker::holds(const Rect& r, std::uint32_t edge) const {
 }
 
 /// side: 0 to 3, or -1 for a line inside the rectangle.
-Side FaceChecker::name(Line line, int side) {
-  Side s{std::move(line), {}, {}};
-  for (std::uint32_t k = 0; k < s.line.change.size(); ++k) {
-    s.node.push_back(kNone);
-    if (s.line.change[k].boundary) continue;
-    s.node.back() = static_cast<std::uint32_t>(node_.size());
-    node_.push_back({FaceMap::Node::Kind::kSide, side, k, 0, 0, {}});
-    node_element_.push_back(kNone);
-    through_.push_back(side < 0);
-  }
-  for (const Line::Piece& p : s.line.piece) s.element.push_back(p.inside ? new_element() : kNone);
-  return s;
+Line FaceChecker::name(Line line, int side) {
+  for (std::uint32_t k = 0; k < line.change.size(); ++k)
+    if (!line.change[k].boundary)
+      line.change[k].id = new_node({FaceMap::Node::Kind::kSide, side, k}, side < 0);
+  for (Line::Piece& p : line.piece)
+    if (p.inside) p.id = new_element();
+  return line;
 }
 
 std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
   struct Item {
-    bool piece;
-    const Side* side;
-    std::size_t index;
+    const Line::Piece* piece;
+    const Line::Change* change;  // one of the two is null
   };
   std::vector<Item> item;  // counter-clockwise
-  for (int s = 0; s < 4; ++s) {
-    const Side& side = box.side[static_cast<std::size_t>(s)];
-    const std::size_t n = side.element.size();
+  for (std::size_t s = 0; s < 4; ++s) {
+    const Line& side = box.side[s];
+    const std::size_t n = side.piece.size();
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = s < 2 ? k : n - 1 - k;
-      if (k > 0) item.push_back({false, &side, s < 2 ? i - 1 : i});
-      item.push_back({true, &side, i});
+      if (k > 0) item.push_back({nullptr, &side.change[s < 2 ? i - 1 : i]});
+      item.push_back({&side.piece[i], nullptr});
     }
   }
   std::map<std::uint32_t, std::vector<std::size_t>> crossing;  // triangle -> items
   for (std::size_t i = 0; i < item.size(); ++i)
-    if (!item[i].piece && item[i].side->line.change[item[i].index].boundary)
-      crossing[item[i].side->line.change[item[i].index].triangle].push_back(i);
+    if (item[i].change && item[i].change->boundary) crossing[item[i].change->triangle].push_back(i);
   std::set<std::uint32_t> visited;
-  const auto across = [&](std::uint32_t e, std::uint32_t t) {
-    return shape_.edge[e].triangle[shape_.edge[e].triangle[0] == t ? 1 : 0];
-  };
-  const auto next_point = [&](std::uint32_t t, std::uint32_t from) {
-    for (const auto e : trace_.at(t))
-      if (e != from && holds(box.rect, e)) return e;
-    return kNone;
-  };
   // Along ∂O from where it enters the part to where it leaves it.
   const auto follow = [&](std::size_t start, Circle& circle) {
-    auto t = item[start].side->line.change[item[start].index].triangle;
-    for (std::uint32_t from = kNone;;) {
+    auto t = item[start].change->triangle;
+    for (auto from = kNone;;) {
       require(visited.insert(t).second, "face: ∂O runs through a part in circles");
       circle.push_back({Step::Kind::kTrace, t, shape_.face_site(t)});
-      const auto e = next_point(t, from);
-      if (e == kNone) break;
-      if (shape_.edge[e].bend == Bend::kConvex) circle.push_back({Step::Kind::kConvexEdge, e, 0});
-      t = across(e, t);
-      from = e;
+      const auto& ends = trace_.at(t);
+      const auto e = std::ranges::find_if(
+          ends, [&](std::uint32_t x) { return x != from && holds(box.rect, x); });
+      if (e == ends.end()) break;
+      if (shape_.edge[*e].bend == Bend::kConvex) circle.push_back({Step::Kind::kConvexEdge, *e});
+      from = *e;
+      t = shape_.across(from, t);
     }
     for (const auto i : crossing[t])
       if (i != start) return i;
@@ -233,19 +189,16 @@ std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
   std::vector<Circle> found;
   std::vector<bool> done(item.size(), false);
   for (std::size_t first = 0; first < item.size(); ++first) {
-    if (done[first] || !item[first].piece || item[first].side->element[item[first].index] == kNone)
-      continue;
+    if (done[first] || !item[first].piece || !item[first].piece->inside) continue;
     Circle circle;
     std::size_t i = first;
     do {
-      const Side& side = *item[i].side;
-      if (item[i].piece) {
-        require(side.element[item[i].index] != kNone && !done[i], "face: a border is no circle");
+      if (const Line::Piece* p = item[i].piece) {
+        require(p->inside && !done[i], "face: a border is no circle");
         done[i] = true;
-        circle.push_back({Step::Kind::kPiece, side.element[item[i].index],
-                          side.line.piece[item[i].index].label});
-      } else if (!side.line.change[item[i].index].boundary) {
-        circle.push_back({Step::Kind::kTie, side.node[item[i].index], 0});
+        circle.push_back({Step::Kind::kPiece, p->id, p->label});
+      } else if (!item[i].change->boundary) {
+        circle.push_back({Step::Kind::kTie, item[i].change->id});
       } else {
         i = follow(i, circle);
       }
@@ -261,22 +214,15 @@ std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
   return found;
 }
 
-bool intervals_differ(const Circle& circle, const Part& part, const Groups& feet) {
-  std::vector<std::uint32_t> groups;
-  for (const Interval& i : intervals(circle))
-    groups.push_back(feet.find(part.sites, i.step.front()->label));
-  std::ranges::sort(groups);
-  return std::ranges::adjacent_find(groups) == groups.end();
-}
-
-void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
-                             const std::vector<Circle>& circles, const Claim& claim) const {
-  const Sites& sites = part.exclusion.sites();
-  Groups groups =
-      claim.by_feet ? groups_by_feet(sites, part.sites, feet) : groups_by_ties(sites, part.sites);
-  if (claim.proposed && !groups.cliques) groups = groups_by_feet(sites, part.sites, feet);
+std::pair<Groups, bool> FaceChecker::check_star(const Part& part, const SharedFeet& feet,
+                                                const std::vector<Circle>& circles,
+                                                const Claim& claim) const {
+  Groups groups = groups_by_ties(exclusion_.sites(), part.sites, part.box);
+  if (claim.by_feet || (claim.proposed && !groups.cliques))
+    groups = groups_by_feet(exclusion_.sites(), part.sites, feet);
   require(groups.cliques, "Theorem D': a group with an essential tie");
   std::vector<std::vector<std::uint32_t>> all;
+  bool twice = false;
   for (const Circle& circle : circles) {
     // Ties and convex edges are where the group changes, and each group has one run.
     std::vector<std::uint32_t> runs;
@@ -289,132 +235,127 @@ void FaceChecker::check_star(const Part& part, const SharedFeet& feet,
       }
     require(std::ranges::count_if(circle, &Step::separates) != 1,
             "Theorem D': a single tie on a border");
-    all.push_back(runs);
-    if (claim.type == Claim::Type::kChords) continue;
-    std::ranges::sort(runs);
-    require(std::ranges::adjacent_find(runs) == runs.end(),
-            "Theorem D': a group governs two intervals of a border");
+    twice |= std::set(runs.begin(), runs.end()).size() < runs.size();
+    all.push_back(std::move(runs));
   }
-  if (claim.type == Claim::Type::kChords)
-    check_chords(part, groups, feet, all, claim);
-  else
+  if (claim.type == Claim::Type::kStar && !twice) {
     check_directions(part, groups, feet, claim);
+    return {groups, false};
+  }
+  Claim chords = claim;
+  if (claim.type == Claim::Type::kStar) {
+    require(claim.proposed, "Theorem D': a group governs two intervals of a border");
+    // What is proposed for a star will do for chords: a group's direction for all its pairs.
+    for (const auto& [a, along] : claim.direction)
+      for (const auto& [b, other] : claim.direction)
+        if (a != b) chords.between.push_back({a, b, along});
+  }
+  check_chords(part, groups, feet, all, chords);
+  return {groups, true};
 }
 
-/// Labels the regions along a circle, and makes them one piece.
-FaceChecker::Border FaceChecker::label(const Circle& circle, const Part& part, const Groups& feet) {
-  Border r;
+/// Theorem G, or a rim. Is there an end of arcs inside, however few ties are on the border?
+bool FaceChecker::check_about_vertex(const Part& part, const SharedFeet& feet, const Groups& groups,
+                                     const std::vector<Circle>& circles, const Claim& claim) const {
+  require(circles.size() == 1 &&
+              std::ranges::find(circles[0], Step::Kind::kTrace, &Step::kind) == circles[0].end(),
+          "a part about a vertex is not inside the solid");
+  if (claim.type == Claim::Type::kRim) {
+    check_rim(part, claim.vertex, claim.edge);
+    return true;
+  }
+  check_cone(part, claim.vertex);
+  const auto ties = std::ranges::count_if(circles[0], &Step::separates);
+  const bool foot =
+      ties > 0 && feet.vertex(claim.vertex) && polar_cone_meets(shape_, claim.vertex, part.box);
+  // Intervals of different groups are of different regions: then the forest is one tree.
+  std::set<std::uint32_t> shown;
+  for (const Interval& i : intervals(circles[0]))
+    shown.insert(groups.find(part.sites, i.step.front()->label));
+  require(
+      ties == 0 || (ties == 1 ? foot : !foot && (ties <= 3 || std::cmp_equal(shown.size(), ties))),
+      "Theorem G: this number of ties decides nothing");
+  return ties == 1;
+}
+
+/// The regions along a circle, and the arcs that join its separators. Chords: an arc joins the two
+/// ends between the same groups, and runs on one side of it are one region.
+void FaceChecker::record(const Circle& circle, const Part& part, const Groups& feet, bool rim,
+                         const Groups* chords) {
+  std::vector<std::uint32_t> ends, runs;  // run[k] after end[k]
+  std::vector<Site> label;
   for (const Interval& i : intervals(circle)) {
-    if (const Step* s = i.separator)
-      r.end.push_back(s->kind == Step::Kind::kTie ? s->id : convex_node(s->id));
-    r.run.push_back(element_of(*i.step.front()));
-    r.label.push_back(i.step.front()->label);
+    if (const Step* s = i.separator; s && s->kind == Step::Kind::kTie) {
+      ends.push_back(s->id);
+    } else if (s) {
+      const auto [it, fresh] = convex_node_.try_emplace(s->id, 0u);
+      if (fresh) it->second = new_node({FaceMap::Node::Kind::kConvexEdge, 0, 0, s->id});
+      ends.push_back(it->second);
+    }
+    runs.push_back(element_of(*i.step.front()));
+    label.push_back(i.step.front()->label);
     for (const Step* s : i.step) {
       const auto element = element_of(*s);
-      region_.unite(r.run.back(), element);
-      piece_.unite(r.run.front(), element);
+      region_.unite(runs.back(), element);
+      piece_.unite(runs.front(), element);
     }
     // Feet are continuous in a region: all its governors are in one group of shared feet.
-    const auto g = feet.find(part.sites, r.label.back());
+    const auto g = feet.find(part.sites, label.back());
     for (std::size_t k = 0; k < part.sites.size(); ++k)
-      if (feet.of[k] == g) labels_[r.run.back()].push_back(part.sites[k]);
+      if (feet.of[k] == g) labels_[runs.back()].push_back(part.sites[k]);
   }
-  for (const auto e : r.end) node_element_[e] = r.run.front();
-  return r;
-}
-
-void FaceChecker::record(const Circle& circle, const Part& part, const Groups& feet, bool rim) {
-  const Border border = label(circle, part, feet);
-  const auto &ends = border.end, &runs = border.run;
+  for (const auto e : ends) node_[e].piece = runs.front();
   const std::size_t n = ends.size();
-  if (n == 0) return;
-  if (n == 2 && !rim) {
+  const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
+  if (chords) {
+    std::map<std::set<std::uint32_t>, std::size_t> first;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [it, fresh] = first.try_emplace(
+          {chords->find(part.sites, label[before(k)]), chords->find(part.sites, label[k])}, k);
+      if (fresh) continue;
+      const std::size_t i = it->second;
+      arc_.push_back({{ends[i], ends[k]}, {runs[i], runs[before(i)]}});
+      region_.unite(runs[i], runs[before(k)]);
+      region_.unite(runs[before(i)], runs[k]);
+    }
+  } else if (n == 2 && !rim) {
     arc_.push_back({{ends[0], ends[1]}, {runs[0], runs[1]}});
-    return;
-  }
-  const auto center = static_cast<std::uint32_t>(node_.size());
-  const Box3& b = part.box;
-  node_.push_back({rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
-                   0,
-                   0,
-                   0,
-                   0,
-                   {b.lo[u_], b.hi[u_], b.lo[v_], b.hi[v_]}});
-  node_element_.push_back(runs.front());
-  through_.push_back(false);
-  for (std::size_t k = 0; k < n; ++k)
-    arc_.push_back({{center, ends[k]}, {runs[(k + n - 1) % n], runs[k]}});
-}
-
-/// Chords: an arc joins the two ends between the same groups; runs on one side of it are one
-/// region.
-void FaceChecker::record_chords(const Circle& circle, const Part& part, const Groups& feet,
-                                const Claim& claim) {
-  const Groups groups = claim.by_feet ? feet : groups_by_ties(exclusion_.sites(), part.sites);
-  const Border b = label(circle, part, feet);
-  const std::size_t n = b.end.size();
-  std::map<std::array<std::uint32_t, 2>, std::size_t> first;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto before = [n](std::size_t i) { return (i + n - 1) % n; };
-    const auto g = groups.find(part.sites, b.label[before(k)]),
-               h = groups.find(part.sites, b.label[k]);
-    const auto [it, fresh] = first.try_emplace({std::min(g, h), std::max(g, h)}, k);
-    if (fresh) continue;
-    const std::size_t i = it->second;
-    arc_.push_back({{b.end[i], b.end[k]}, {b.run[i], b.run[before(i)]}});
-    region_.unite(b.run[i], b.run[before(k)]);
-    region_.unite(b.run[before(i)], b.run[k]);
+  } else if (n > 0) {
+    const Point3 &lo = part.box.lo, &hi = part.box.hi;
+    const int u = u_axis(part.axis), v = v_axis(part.axis);
+    const auto center = new_node({rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
+                                  0,
+                                  0,
+                                  0,
+                                  {lo[u], hi[u], lo[v], hi[v]},
+                                  runs.front()});
+    for (std::size_t k = 0; k < n; ++k)
+      arc_.push_back({{center, ends[k]}, {runs[before(k)], runs[k]}});
   }
 }
 
 void FaceChecker::check_part(const Box& box, const Claim& claim) {
-  const Rect& r = box.rect;
-  Part part{exclusion_,
-            {point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1)},
-            r.axis,
-            {}};
   bool loop = false;
   const std::vector<Circle> border = circles(box, loop);
   require(!loop, "face: a closed curve of ∂O inside a part");
   if (border.empty()) return;
-  require(std::ranges::includes(candidates_, claim.sites),
+  const Part part{exclusion_, box_of(box.rect), box.rect.axis, claim.sites};
+  require(std::ranges::includes(candidates_, part.sites),
           "face: a part names a site that is no candidate");
-  part.sites = claim.sites;
   for (const Site s : box.candidates)
-    require(std::ranges::binary_search(claim.sites, s) ||
-                exclusion_.governs_nothing(s, part.box, claim.sites) ||
-                exclusion_.governs_nothing(s, part.box, box.candidates, 20000),
+    require(std::ranges::binary_search(part.sites, s) ||
+                exclusion_.governs_nothing(s, part.box, part.sites, triangles_) ||
+                exclusion_.governs_nothing(s, part.box, box.candidates, triangles_, 20000),
             "face: a site that may govern a part is missing");
   const SharedFeet shared(exclusion_, part.sites, part.box);
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
-  if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords) {
-    check_star(part, shared, border, claim);
-  } else {
-    require(border.size() == 1 &&
-                std::ranges::none_of(border[0],
-                                     [](const Step& s) { return s.kind == Step::Kind::kTrace; }),
-            "a part about a vertex is not inside the solid");
-    const auto ties = std::ranges::count_if(border[0], &Step::separates);
-    rim = claim.type == Claim::Type::kRim || ties == 1;
-    if (claim.type == Claim::Type::kRim) {
-      check_rim(part, claim.vertex, claim.edge);
-    } else {
-      check_cone(part, claim.vertex);
-      const bool foot = ties > 0 && shared.vertex(claim.vertex) &&
-                        polar_cone_meets(shape_, claim.vertex, part.box);
-      // Intervals of different groups are of different regions: then the forest is one tree.
-      require(ties <= 1 ? (ties == 0 || foot)
-                        : !foot && (ties <= 3 || intervals_differ(border[0], part, feet)),
-              "Theorem G: this number of ties decides nothing");
-    }
-  }
-  for (const Circle& c : border) {
-    if (claim.type == Claim::Type::kChords)
-      record_chords(c, part, feet, claim);
-    else
-      record(c, part, feet, rim);
-  }
+  std::pair<Groups, bool> star;
+  if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords)
+    star = check_star(part, shared, border, claim);
+  else
+    rim = check_about_vertex(part, shared, feet, border, claim);
+  for (const Circle& c : border) record(c, part, feet, rim, star.second ? &star.first : nullptr);
 }
 
 void FaceChecker::check(Box box) {
@@ -436,33 +377,18 @@ void FaceChecker::check(Box box) {
   Box low = box, high = box;
   (along_u ? low.rect.u1 : low.rect.v1) = (along_u ? high.rect.u0 : high.rect.v0) = m;
   // The sides that the cut meets; low and high are their parts.
-  bool starts_inside = false;
   for (const std::size_t s : {along_u ? 0u : 3u, along_u ? 2u : 1u}) {
-    const Side& side = box.side[s];
-    const auto half = lines_.cut(side.line, m, box.candidates);
-    const std::size_t n = half[0].change.size(), p = half[0].piece.size();
-    low.side[s] = {half[0],
-                   {side.node.begin(), side.node.begin() + static_cast<long>(n)},
-                   {side.element.begin(), side.element.begin() + static_cast<long>(p)}};
-    high.side[s] = {half[1],
-                    {side.node.begin() + static_cast<long>(n), side.node.end()},
-                    {side.element.begin() + static_cast<long>(p) - 1, side.element.end()}};
-    if (s == (along_u ? 0u : 3u)) starts_inside = half[0].piece.back().inside;
+    auto half = lines_.cut(box.side[s], m, box.candidates);
+    low.side[s] = std::move(half[0]);
+    high.side[s] = std::move(half[1]);
   }
-  Segment segment;
-  if (along_u)
-    segment = {v_, r.level, m, r.v0, r.v1};
-  else
-    segment = {u_, m, r.level, r.u0, r.u1};
-  const Side middle = name(lines_.solve(segment, starts_inside, box.candidates, triangles_), -1);
-  low.side[along_u ? 1 : 2] = middle;
-  high.side[along_u ? 3 : 0] = middle;
-  for (Box* half : {&low, &high}) {
-    const Rect& h = half->rect;
-    half->candidates = exclusion_.remaining(
-        box.candidates,
-        {point_on(h.axis, h.level, h.u0, h.v0), point_on(h.axis, h.level, h.u1, h.v1)});
-  }
+  const std::size_t last = along_u ? 1 : 2, first = along_u ? 3 : 0;
+  const bool starts_inside = low.side[along_u ? 0 : 3].piece.back().inside;
+  low.side[last] = high.side[first] = name(lines_.solve(side_of(low.rect, static_cast<int>(last)),
+                                                        starts_inside, box.candidates, triangles_),
+                                           -1);
+  for (Box* half : {&low, &high})
+    half->candidates = exclusion_.remaining(box.candidates, box_of(half->rect));
   box = Box{};
   check(std::move(low));
   check(std::move(high));
@@ -475,7 +401,8 @@ void FaceChecker::splice() {
     for (const auto n : arc_[a].node) at[n].push_back(a);
   std::vector<bool> gone(arc_.size(), false);
   for (std::uint32_t n = 0; n < node_.size(); ++n) {
-    if (!through_[n] || node_element_[n] == kNone) continue;
+    if (!through_[n] || node_[n].piece == kNone) continue;
+    node_[n].kind = FaceMap::Node::Kind::kEvent;
     require(at[n].size() == 2, "face: an arc ends where two parts meet");
     const auto a = at[n][0], b = at[n][1];
     if (a == b) continue;
@@ -483,18 +410,16 @@ void FaceChecker::splice() {
     arc_[a].node[arc_[a].node[0] == n ? 0 : 1] = far;
     std::ranges::replace(at[far], b, a);
     gone[b] = true;
-    node_element_[n] = kNone;
+    node_[n].piece = kNone;
   }
-  std::vector<FaceMap::Arc> kept;
-  for (std::size_t a = 0; a < arc_.size(); ++a)
-    if (!gone[a]) kept.push_back(arc_[a]);
-  arc_ = std::move(kept);
+  std::erase_if(arc_, [&](const FaceMap::Arc& a) { return gone[&a - arc_.data()]; });
 }
 
+/// The parts' regions, pieces and nodes with numbers of their own.
 FaceMap FaceChecker::assemble(const Box& root) {
-  splice();
   FaceMap map;
   map.rect = root.rect;
+  map.side = root.side;
   std::vector<std::uint32_t> region_of(region_.size(), kNone), piece_of(region_.size(), kNone),
       node_of(node_.size(), kNone);
   const auto piece = [&](std::uint32_t element) {
@@ -514,29 +439,23 @@ FaceMap FaceChecker::assemble(const Box& root) {
     return index;
   };
   for (std::uint32_t e = 0; e < region_.size(); ++e)
-    if (!labels_[e].empty()) {
-      auto& all = map.region[region(e)].labels;
-      all.insert(all.end(), labels_[e].begin(), labels_[e].end());
-    }
+    for (const Site s : labels_[e]) map.region[region(e)].labels.push_back(s);
   for (FaceMap::Region& r : map.region) {
     std::ranges::sort(r.labels);
     r.labels.erase(std::ranges::unique(r.labels).begin(), r.labels.end());
   }
   for (std::uint32_t n = 0; n < node_.size(); ++n) {
-    if (node_element_[n] == kNone) continue;
+    if (node_[n].piece == kNone) continue;
     node_of[n] = static_cast<std::uint32_t>(map.node.size());
     map.node.push_back(node_[n]);
-    if (through_[n]) map.node.back().kind = FaceMap::Node::Kind::kEvent;
-    map.node.back().piece = piece(node_element_[n]);
+    map.node.back().piece = piece(node_[n].piece);
   }
   for (const FaceMap::Arc& a : arc_)
     map.arc.push_back(
         {{node_of[a.node[0]], node_of[a.node[1]]}, {region(a.region[0]), region(a.region[1])}});
-  for (std::size_t s = 0; s < 4; ++s) {
-    map.side[s] = root.side[s].line;
-    for (const auto e : root.side[s].element)
-      map.side_region[s].push_back(e == kNone ? FaceMap::kOutside : region(e));
-  }
+  for (Line& side : map.side)
+    for (Line::Piece& p : side.piece)
+      if (p.inside) p.id = region(p.id);
   for (const auto& [t, e] : trace_element_) map.trace.push_back({t, region(e)});
   for (const auto& [e, p] : point_)
     if (holds(root.rect, e)) map.trace_point.push_back(e);
@@ -548,28 +467,22 @@ FaceMap FaceChecker::assemble(const Box& root) {
       if (s.kind == Step::Kind::kTrace) seen.insert(s.id);
     ++map.circles[piece(element_of(c.front()))];
   }
-  for (const auto& [t, ends] : trace_) {
-    if (seen.contains(t) || !trace_element_.contains(t)) continue;
-    ++map.circles[piece(trace_element_.at(t))];
-    for (auto x = t, from = kNone; seen.insert(x).second;) {
+  for (const auto& [t, element] : trace_element_) {
+    if (seen.contains(t)) continue;
+    ++map.circles[piece(element)];
+    for (auto x = t, from = kNone; seen.insert(x).second; x = shape_.across(from, x))
       from = trace_.at(x)[trace_.at(x)[0] == from ? 1 : 0];
-      x = shape_.edge[from].triangle[shape_.edge[from].triangle[0] == x ? 1 : 0];
-    }
   }
   return map;
 }
 
-FaceMap FaceChecker::run(const Rect& rect, const std::array<Line, 4>& sides,
-                         std::span<const Site> candidates) {
-  u_ = u_axis(rect.axis);
-  v_ = v_axis(rect.axis);
-  find_traces(rect);
-  candidates_.assign(candidates.begin(), candidates.end());
-  Box root{rect, {}, {candidates.begin(), candidates.end()}};
-  for (int s = 0; s < 4; ++s)
-    root.side[static_cast<std::size_t>(s)] = name(sides[static_cast<std::size_t>(s)], s);
+FaceMap FaceChecker::run(const std::array<Line, 4>& sides) {
+  find_traces();
+  Box root{rect_, {}, candidates_};
+  for (std::size_t s = 0; s < 4; ++s) root.side[s] = name(sides[s], static_cast<int>(s));
   check(root);
   require(next_part_ == parts_.size(), "face: too many parts");
+  splice();
   return assemble(root);
 }
 
@@ -578,7 +491,7 @@ FaceMap FaceChecker::run(const Rect& rect, const std::array<Line, 4>& sides,
 FaceMap check_face(const Exclusion& exclusion, const Rect& rect, const std::array<Line, 4>& sides,
                    std::span<const Site> candidates, std::span<const std::uint32_t> triangles,
                    std::span<const PartNode> parts) {
-  return FaceChecker(exclusion, triangles, parts).run(rect, sides, candidates);
+  return FaceChecker(exclusion, rect, candidates, triangles, parts).run(sides);
 }
 
 }  // namespace blum::verify

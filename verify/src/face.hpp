@@ -22,7 +22,7 @@ struct Claim {
   };
   Type type = Type::kStar;
   bool by_feet = false;
-  bool proposed = false;    ///< kStar, by ties or feet: exact algebra decided it, which is not here
+  bool proposed = false;    ///< kStar, or chords with the same directions, by ties or feet
   std::vector<Site> sites;  ///< sorted; the others of the face govern nothing in the part
   std::vector<std::pair<Site, Direction>> direction;  ///< of the group that holds the site
   /// Chords: the group of `a` gains on that of `b` along the direction.
@@ -45,18 +45,16 @@ struct PartNode {
 
 /// Terms as in the glossary: nodes and arcs of G; regions and pieces of (rectangle ∩ O).
 struct FaceMap {
-  static constexpr std::uint32_t kOutside = 0xffffffffu;
   struct Node {
     enum class Kind : std::uint8_t { kSide, kEvent, kRim, kConvexEdge } kind = Kind::kEvent;
-    int side = 0;              ///< kSide
-    std::uint32_t change = 0;  ///< kSide: index in the side's line
-    std::uint32_t edge = 0;    ///< kConvexEdge
-    std::uint32_t piece = 0;
+    int side = 0;                 ///< kSide
+    std::uint32_t change = 0;     ///< kSide: index in the side's line
+    std::uint32_t edge = 0;       ///< kConvexEdge
     std::array<double, 4> box{};  ///< kEvent, kRim: u0, u1, v0, v1 of the part that holds it
+    std::uint32_t piece = kNone;
   };
   struct Arc {
-    std::array<std::uint32_t, 2> node;
-    std::array<std::uint32_t, 2> region;
+    std::array<std::uint32_t, 2> node, region;
   };
   struct Region {
     std::vector<Site> labels;  ///< sorted, all governors of its points
@@ -64,8 +62,7 @@ struct FaceMap {
   };
   std::uint32_t number = 0;  ///< among the diagrams of the certificate
   Rect rect;
-  std::array<Line, 4> side;  ///< low v, high u, high v, low u
-  std::array<std::vector<std::uint32_t>, 4> side_region;
+  std::array<Line, 4> side;  ///< low v, high u, high v, low u; pieces have their regions for ids
   std::vector<Node> node;
   std::vector<Arc> arc;
   std::vector<Region> region;
@@ -76,6 +73,9 @@ struct FaceMap {
 
 /// The four sides of a rectangle as segments, in the order of FaceMap::side.
 [[nodiscard]] Segment side_of(const Rect& rect, int side);
+[[nodiscard]] inline Box3 box_of(const Rect& r) {
+  return {point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1)};
+}
 
 /// candidates, triangles: as for LineSolver, for the rectangle. Throws Failure.
 [[nodiscard]] FaceMap check_face(const Exclusion& exclusion, const Rect& rect,

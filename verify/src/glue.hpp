@@ -26,7 +26,7 @@ struct Leaf {
   std::uint32_t vertex = 0;  ///< conical
   std::vector<Site> candidates;
   std::vector<std::uint32_t> triangles;
-  std::array<FaceMap, 6> face;
+  std::array<FaceMap, 6> face;  ///< unless outside
 };
 
 /// Asked for the diagram on a rectangle between two leaves that is no face of either.
@@ -42,8 +42,8 @@ struct Complex {
       return std::span(face).first(dimension == 0 ? 0 : dimension + 1);
     }
   };
-  /// What certificates name: arcs by diagram and place in it, convex edges by leaf and boundary
-  /// edge, corners by vertex, spokes and triangles by leaf and base.
+  /// What certificates name: arcs by diagram and place in it, convex edges by boundary edge and
+  /// leaf, corners by vertex, spokes and triangles by leaf and base.
   enum class Name : std::uint8_t { kArc, kConvexEdge, kCorner, kCone };
   using Key = std::tuple<Name, std::uint32_t, std::uint32_t>;
 
@@ -53,7 +53,7 @@ struct Complex {
   std::map<std::uint32_t, const FaceMap*> diagram;  ///< those that arcs are named by
 };
 
-/// Vertices and edges that are not gone, by origin.
+/// Cells that are not gone, by origin.
 [[nodiscard]] std::map<std::string, std::size_t> count_cells(const Complex& complex,
                                                              const std::vector<bool>& gone);
 

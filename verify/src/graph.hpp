@@ -5,26 +5,20 @@
 
 namespace blum::verify {
 
-struct GraphEnd {
-  enum class Kind : std::uint8_t { kSide, kConvexEdge, kEvent, kLoop } kind = Kind::kLoop;
-  std::uint32_t a = 0;  ///< side; boundary edge; event
-  std::uint32_t b = 0;  ///< kSide: which of the side's changes
-  auto operator<=>(const GraphEnd&) const = default;
-};
-
-struct GraphArc {
-  std::array<GraphEnd, 2> end;  ///< both kLoop: closed, without an event
-  std::array<Site, 2> site{};   ///< a governor on each side
-};
-
-struct GraphEvent {
-  bool rim = false;
-  std::array<double, 4> box{};  ///< u0, u1, v0, v1: holds this event and no other
-};
-
 struct Graph {
-  std::vector<GraphEvent> event;
-  std::vector<GraphArc> arc;
+  /// Kind; side, boundary edge or event; which of the side's changes.
+  using End = std::array<std::uint32_t, 3>;
+  enum Kind : std::uint32_t { kSide, kConvexEdge, kEvent, kLoop };
+  struct Event {
+    bool rim = false;
+    std::array<double, 4> box{};  ///< u0, u1, v0, v1: holds this event and no other
+  };
+  struct Arc {
+    std::array<End, 2> end;    ///< both kLoop: closed, without an event
+    std::array<Site, 2> site;  ///< a governor on each side
+  };
+  std::vector<Event> event;
+  std::vector<Arc> arc;
 };
 
 /// Is this the graph of `map`: the same arcs between the same ends, with governors of the regions

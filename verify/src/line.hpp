@@ -2,32 +2,31 @@
 /// sites, so that all that meets in the segment agrees about it.
 #pragma once
 
-#include <map>
-#include <optional>
-
-#include "groups.hpp"
+#include "gains.hpp"
 
 namespace blum::verify {
 
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
 /// The end of a stretch inside O: a double, or the crossing of a triangle, enclosed from outside.
 struct StretchEnd {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   double t = 0;
   std::uint32_t triangle = kNone;
   Site label = 0;  ///< a governor there
 };
 
-struct Change {
-  bool boundary = false;       ///< the segment crosses ∂O in `triangle`; else an essential tie
-  std::uint32_t triangle = 0;  ///< boundary
-  StretchEnd below, above;     ///< a tie lies between them, the only one
-};
-
-/// Changes in order, and the open pieces between them (one more).
+/// Changes in order, and the open pieces between them (one more). `id`: names for who has the line.
 struct Line {
+  struct Change {
+    bool boundary = false;       ///< the segment crosses ∂O in `triangle`; else an essential tie
+    std::uint32_t triangle = 0;  ///< boundary
+    StretchEnd below, above;     ///< a tie lies between them, the only one
+    std::uint32_t id = kNone;
+  };
   struct Piece {
     bool inside = false;
     Site label = 0;  ///< inside: a governor of points of the piece
+    std::uint32_t id = kNone;
   };
   Segment segment;
   std::vector<Change> change;
@@ -50,17 +49,14 @@ class LineSolver {
   [[nodiscard]] std::array<Line, 2> cut(const Line& line, double m,
                                         std::span<const Site> candidates) const;
 
-  /// A governor of x, if all governors of x are ties that are never essential (Lemma 1).
-  [[nodiscard]] std::optional<Site> label(const Point3& x, std::span<const Site> candidates) const;
-
  private:
+  [[nodiscard]] std::optional<Site> label(const Point3& x, std::span<const Site> candidates) const;
   void ties(const Segment& line, const StretchEnd& a, const StretchEnd& b,
-            std::span<const Site> candidates, std::vector<Change>& out, int depth) const;
-  /// "Lines" of docs/proofs.md; by slopes at the ends alone, unless thorough.
+            std::span<const Site> candidates, std::vector<Line::Change>& out, int depth) const;
   [[nodiscard]] bool at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
                                  std::span<const Site> sites, const Groups& groups,
                                  const SharedFeet& feet, bool thorough,
-                                 std::vector<Change>& out) const;
+                                 std::vector<Line::Change>& out) const;
 
   const Exclusion& exclusion_;
 };

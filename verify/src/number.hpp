@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "blum/kernel/ball.hpp"
 #include "blum/kernel/point.hpp"
@@ -24,11 +25,6 @@ template <class F>
 [[nodiscard]] int decide(F&& expression) {
   const int s = expression(Ball(0.0));
   return s != 2 ? s : expression(Rational(0));
-}
-
-[[nodiscard]] inline Ball enclose(const Rational& x) {
-  const double mid = x.get_d();  // truncated: off by less than 2^-52 |x|
-  return {mid, mid == x ? 0.0 : std::abs(mid) * 0x1p-51 + Ball::kTiny};
 }
 
 template <class N>
@@ -55,10 +51,34 @@ template <class N>
 [[nodiscard]] Vec<N> outer(const Vec<N>& a, const Vec<N>& b) {
   return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
 }
+[[nodiscard]] inline bool is_zero(const Vec<Rational>& a) { return a == Vec<Rational>{}; }
 
 /// At least |x|.
 [[nodiscard]] inline Ball magnitude(const Ball& x) { return Ball(x.magnitude()); }
 [[nodiscard]] inline Rational magnitude(const Rational& x) { return abs(x); }
+
+/// A vector, exact and enclosed.
+class Exact {
+ public:
+  Exact() = default;
+  Exact(const Vec<Rational>& x) : exact_(x) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double mid = x[k].get_d();  // truncated: off by less than 2^-52 |x|
+      ball_[k] = {mid, mid == x[k] ? 0.0 : std::abs(mid) * 0x1p-51 + Ball::kTiny};
+    }
+  }
+  template <class N>
+  [[nodiscard]] const Vec<N>& as() const {
+    if constexpr (std::is_same_v<N, Ball>)
+      return ball_;
+    else
+      return exact_;
+  }
+
+ private:
+  Vec<Rational> exact_;
+  Vec<Ball> ball_;
+};
 
 /// Sign of p / sqrt(s) - q / sqrt(t). Requires s, t > 0.
 template <class N>

@@ -2,8 +2,6 @@
 /// counting.
 #pragma once
 
-#include <optional>
-
 #include <nlohmann/json.hpp>
 
 #include "glue.hpp"
@@ -21,31 +19,23 @@ class Pruning {
   /// The angle stated at the end, in degrees: above all values. Throws Failure or Unreadable.
   [[nodiscard]] double end(const nlohmann::json& j) const;
 
-  [[nodiscard]] const std::vector<bool>& gone() const { return gone_; }
-  [[nodiscard]] std::size_t collapses() const { return collapses_; }
+  std::vector<bool> gone;     ///< of the cells
+  std::size_t collapses = 0;  ///< pairs
   /// Triangles over arcs that are gone; and those of them of which it was shown that the angle of
   /// the sheet on the arc is not above the cost: it is that of two faces.
-  [[nodiscard]] std::size_t pieces() const { return pieces_; }
-  [[nodiscard]] std::size_t angles() const { return angles_; }
+  std::size_t pieces = 0, angles = 0;
 
  private:
   [[nodiscard]] std::uint32_t cell(const nlohmann::json& name) const;
   [[nodiscard]] std::uint32_t base(const nlohmann::json& name, std::size_t at) const;
-  [[nodiscard]] std::uint32_t named(Complex::Name kind, std::uint32_t a, std::uint32_t b) const;
-  void remove(std::uint32_t face, std::uint32_t cell);
+  [[nodiscard]] std::uint32_t named(const Complex::Key& key) const;
   void check_angle(const FaceMap& map, const FaceMap::Arc& arc, double cost);
 
   const Shape& shape_;
   const Complex& complex_;
   std::vector<std::uint32_t> cofaces_;  // a face counted twice in a cell twice
-  std::vector<bool> gone_;
-  struct Arc {
-    const FaceMap* map = nullptr;  // null: the cell is no arc
-    std::uint32_t number = 0;
-  };
-  std::vector<Arc> arc_;  // of each cell
-  std::optional<double> value_;
-  std::size_t collapses_ = 0, pieces_ = 0, angles_ = 0;
+  std::map<std::uint32_t, std::pair<const FaceMap*, std::uint32_t>> arc_;  // by cell
+  double value_ = -1;
 };
 
 }  // namespace blum::verify

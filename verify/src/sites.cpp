@@ -5,17 +5,14 @@
 
 namespace blum::verify {
 
-BoxCorners::BoxCorners(const Box3& box) {
-  for (int bits = 0; bits < 8; ++bits) {
-    Point3 p;
-    bool repeated = false;
-    for (int k = 0; k < 3; ++k) {
-      const bool high = (bits >> k & 1) != 0;
-      p[k] = high ? box.hi[k] : box.lo[k];
-      repeated |= high && box.hi[k] == box.lo[k];
+std::vector<Point3> corners_of(const Box3& box) {
+  std::vector<Point3> corners{box.lo};
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t n = corners.size(); box.lo[k] != box.hi[k] && n > 0; --n) {
+      corners.push_back(corners[n - 1]);
+      corners.back()[k] = box.hi[k];
     }
-    if (!repeated) point[count++] = p;
-  }
+  return corners;
 }
 
 Point3 center_of(const Box3& box) {
@@ -33,195 +30,138 @@ std::array<double, 3> half_widths(const Box3& box) {
   return h;
 }
 
-Sites::Sites(const Shape& shape) : shape_(shape) {
-  for (Site s = 0; s < shape.sites(); ++s) condition_.push_back(make_conditions(s));
-  for (std::uint32_t v = 0; v < shape.point.size(); ++v) cone_.push_back(vertex_cone(shape, v));
-}
-
-std::vector<Condition> Sites::make_conditions(Site s) const {
-  using Type = Condition::Type;
-  const auto i = shape_.element(s);
-  std::vector<Condition> r;
-  switch (shape_.kind(s)) {
-    case Kind::kVertex:
-      for (const auto e : shape_.edges_at[i]) {
-        const auto& ends = shape_.edge[e].vertex;
-        r.push_back({Type::kAlong, i, ends[ends[0] == i ? 1 : 0], 0, i});
-      }
-      break;
-    case Kind::kEdge: {
-      const auto [a, b] = shape_.edge[i].vertex;
-      r = {{Type::kAlong, a, b, 0, b}, {Type::kAlong, b, a, 0, a}};
-      r.push_back({Type::kInFace, a, b, shape_.edge[i].triangle[0], a});
-      r.push_back({Type::kInFace, b, a, shape_.edge[i].triangle[1], a});
-      break;
-    }
-    case Kind::kFace: {
-      const auto& v = shape_.triangle[i].vertex;
-      for (int k = 0; k < 3; ++k) r.push_back({Type::kPrism, v[k], v[(k + 1) % 3], i, v[k]});
-      r.push_back({Type::kPlane, 0, 0, i, v[0]});
-      break;
-    }
+/// They are not iff r p + q > 0 at all corners for some r > 0.
+bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q) {
+  Rational low = 0;
+  std::optional<Rational> high;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k] == 0 && q[k] <= 0) return false;
+    if (p[k] == 0) continue;
+    const Rational r = -q[k] / p[k];
+    if (p[k] > 0)
+      low = std::max(low, r);
+    else
+      high = high ? std::min(*high, r) : r;
   }
-  return r;
+  return !high || low < *high;
 }
 
-std::size_t Sites::own_conditions(Site s) const {
-  switch (shape_.kind(s)) {
-    case Kind::kVertex:
-      return 0;
-    case Kind::kEdge:
-      return 2;
-    case Kind::kFace:
-      break;
+/// Vertices: its edges (the polar cone). Edges: their ends, and not within their faces. Faces:
+/// their sides, and their inner side.
+Sites::Sites(const Shape& shape) : shape_(shape), condition_(shape.sites()) {
+  const auto along = [&](auto a, auto b) { return shape.along<Rational>(a, b); };
+  for (std::uint32_t v = 0; v < shape.point.size(); ++v)
+    for (const auto e : shape.edges_at[v])
+      condition_[v].push_back({along(v, shape.other_end(e, v)), v, {}});
+  for (std::uint32_t e = 0; e < shape.edge.size(); ++e) {
+    const auto& [vertex, triangle, bend] = shape.edge[e];
+    const Vec<Rational> u = along(vertex[0], vertex[1]), back = along(vertex[1], vertex[0]);
+    condition_[shape.edge_site(e)] = {
+        {u, vertex[1], {}},
+        {back, vertex[0], {}},
+        {outer(shape.normal<Rational>(triangle[0]), u), vertex[0], {}},
+        {outer(shape.normal<Rational>(triangle[1]), back), vertex[0], {}}};
   }
-  return 3;
-}
-
-template <class N>
-Vec<N> Sites::direction(const Condition& c) const {
-  switch (c.type) {
-    case Condition::Type::kAlong:
-      return shape_.along<N>(c.a, c.b);
-    case Condition::Type::kPrism:
-      return outer(shape_.along<N>(c.a, c.b), shape_.normal<N>(c.c));
-    case Condition::Type::kInFace:
-      return outer(shape_.normal<N>(c.c), shape_.along<N>(c.a, c.b));
-    case Condition::Type::kPlane:
-      break;
+  for (std::uint32_t t = 0; t < shape.triangle.size(); ++t) {
+    const auto& [v, edge] = shape.triangle[t];
+    const Vec<Rational>& n = shape.normal<Rational>(t);
+    auto& own = condition_[shape.face_site(t)];
+    for (std::size_t k = 0; k < 3; ++k)
+      own.push_back({outer(along(v[k], v[(k + 1) % 3]), n), v[k], edge[k]});
+    own.push_back({n, v[0], {}});
   }
-  return shape_.normal<N>(c.c);
 }
 
-int Sites::sign(const Condition& c, const Point3& x) const {
-  return decide([&]<class N>(const N&) {
-    return sign_of(inner(direction<N>(c), minus(exactly<N>(x), exactly<N>(shape_.point[c.base]))));
+bool Sites::hold(std::span<const Condition> conditions, const Box3& box) const {
+  const auto corners = corners_of(box);
+  return std::ranges::all_of(conditions, [&](const Condition& c) {
+    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
   });
 }
 
-bool Sites::in_domain(const Point3& x, Site s) const {
-  return std::ranges::all_of(conditions(s), [&](const Condition& c) { return sign(c, x) <= 0; });
-}
-
 bool Sites::beyond(Site s, const Box3& box) const {
-  const BoxCorners corners(box);
+  const auto corners = corners_of(box);
   return std::ranges::any_of(conditions(s), [&](const Condition& c) {
     return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) > 0; });
   });
 }
 
 bool Sites::beyond_two(Site s, const Box3& box) const {
-  // p <= 0 and q <= 0 meet in no point of the box iff r p + q > 0 at all corners for some r > 0.
-  const BoxCorners corners(box);
   std::vector<std::vector<Rational>> value;  // by condition, corner
   for (const Condition& c : conditions(s)) {
     value.emplace_back();
-    const Vec<Rational> w = direction<Rational>(c);
-    for (const Point3& x : corners)
-      value.back().push_back(
-          inner(w, minus(exactly<Rational>(x), exactly<Rational>(shape_.point[c.base]))));
+    for (const Point3& x : corners_of(box))
+      value.back().push_back(inner(c.w.as<Rational>(), shape_.from<Rational>(c.base, x)));
+    for (const auto& other : std::span(value).first(value.size() - 1))
+      if (exclude_each_other(value.back(), other)) return true;
   }
-  for (std::size_t i = 0; i < value.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      Rational low = 0;
-      std::optional<Rational> high;
-      bool possible = true;
-      for (std::size_t k = 0; k < value[i].size() && possible; ++k) {
-        const Rational &p = value[i][k], &q = value[j][k];
-        if (sgn(p) == 0) {
-          possible = sgn(q) > 0;
-          continue;
-        }
-        const Rational r = -q / p;
-        if (sgn(p) > 0)
-          low = std::max(low, r);
-        else
-          high = high ? std::min(*high, r) : r;
-      }
-      if (possible && (!high || low < *high)) return true;
-    }
   return false;
 }
 
-bool Sites::hold(std::span<const Condition> conditions, const Box3& box) const {
-  const BoxCorners corners(box);
-  return std::ranges::all_of(conditions, [&](const Condition& c) {
-    return std::ranges::all_of(corners, [&](const Point3& x) { return sign(c, x) <= 0; });
-  });
-}
-
-bool Sites::covers(Site s, const Box3& box) const {
-  return hold(conditions(s).first(own_conditions(s)), box);
-}
-
-bool Sites::covers_inside(Site face, const Box3& box) const { return hold(conditions(face), box); }
-
-bool Sites::covers_with_neighbour(Site face, const Box3& box) const {
+bool Sites::covers_inside(Site face, const Box3& box) const {
+  if (hold(conditions(face), box)) return true;
   const auto t = shape_.element(face);
-  const auto at = [](const Condition& c, const auto& edge) {
-    return c.type == Condition::Type::kPrism &&
-           std::minmax(c.a, c.b) == std::minmax(edge[0], edge[1]);
-  };
   return std::ranges::any_of(shape_.triangle[t].edge, [&](std::uint32_t e) {
-    const auto& edge = shape_.edge[e];
-    const auto other = edge.triangle[edge.triangle[0] == t ? 1 : 0];
     const auto but_there = [&](Site s) {
       return std::ranges::all_of(conditions(s), [&](const Condition& c) {
-        return at(c, edge.vertex) || hold({&c, 1}, box);
+        return c.edge == e || hold({&c, 1}, box);
       });
     };
-    return edge.bend == Bend::kFlat && but_there(face) && but_there(shape_.face_site(other));
+    return shape_.edge[e].bend == Bend::kFlat && but_there(face) &&
+           but_there(shape_.face_site(shape_.across(e, t)));
   });
 }
 
-template <class N>
-Sites::Fraction<N> Sites::squared_distance(const Vec<N>& x, Site s) const {
-  const auto i = shape_.element(s);
-  const Vec<N> d = minus(x, exactly<N>(shape_.point[*shape_.corners(s).begin()]));
-  const N two(2.0);
-  switch (shape_.kind(s)) {
-    case Kind::kVertex:
-      return {inner(d, d), N(1.0), times(d, two)};
-    case Kind::kEdge: {
-      const Vec<N> u = shape_.along<N>(shape_.edge[i].vertex[0], shape_.edge[i].vertex[1]);
-      const Vec<N> m = outer(d, u);
-      return {inner(m, m), inner(u, u), times(outer(u, m), two)};
+std::vector<std::uint32_t> Sites::meeting(std::span<const std::uint32_t> triangles,
+                                          const Box3& box) const {
+  const auto corners = corners_of(box);
+  std::vector<std::uint32_t> kept;
+  for (const auto t : triangles) {
+    const auto& v = shape_.triangle[t].vertex;
+    bool apart = false;
+    for (int k = 0; k < 3 && !apart; ++k) {
+      const auto [low, high] =
+          std::minmax({shape_.point[v[0]][k], shape_.point[v[1]][k], shape_.point[v[2]][k]});
+      apart = low > box.hi[k] || high < box.lo[k];
     }
-    case Kind::kFace:
-      break;
+    if (apart || beyond(shape_.face_site(t), box) ||
+        std::ranges::all_of(corners,
+                            [&](const Point3& x) { return shape_.side_of_plane(t, x) < 0; }))
+      continue;
+    kept.push_back(t);
   }
-  const Vec<N> n = shape_.normal<N>(i);
-  const N h = inner(n, d);
-  return {N(h * h), inner(n, n), times(n, N(two * h))};
+  return kept;
 }
 
 template <class N>
-std::array<Vec<N>, 3> Sites::second_order(Site s) const {
-  const auto i = shape_.element(s);
-  std::array<Vec<N>, 3> m;
-  Vec<N> u{N(0.0), N(0.0), N(0.0)};
-  N diagonal(1.0), sign(-1.0);
-  if (shape_.kind(s) == Kind::kEdge) {
-    u = shape_.along<N>(shape_.edge[i].vertex[0], shape_.edge[i].vertex[1]);
-    diagonal = inner(u, u);
-  } else if (shape_.kind(s) == Kind::kFace) {
-    u = shape_.normal<N>(i);
-    diagonal = N(0.0);
-    sign = N(1.0);
+Sites::Fraction<N> Sites::squared_distance(const Point3& x, Site s, bool second) const {
+  const auto v = shape_.corners(s);
+  const Vec<N> d = shape_.from<N>(v[0], x);
+  const N zero(0.0), one(1.0), two(2.0);
+  // The matrix is diagonal I + sign u u^T.
+  const auto matrix = [&](const N& diagonal, const Vec<N>& u, const N& sign) {
+    std::array<Vec<N>, 3> m;
+    for (std::size_t j = 0; second && j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        m[j][k] = N((j == k ? diagonal : zero) + sign * u[j] * u[k]);
+    return m;
+  };
+  if (v.size() == 1)
+    return {inner(d, d), one, times(d, two), matrix(one, Vec<N>{zero, zero, zero}, one)};
+  if (v.size() == 2) {
+    const Vec<N> u = shape_.along<N>(v[0], v[1]), m = outer(d, u);
+    return {inner(m, m), inner(u, u), times(outer(u, m), two), matrix(inner(u, u), u, N(-1.0))};
   }
-  for (std::size_t j = 0; j < 3; ++j)
-    for (std::size_t k = 0; k < 3; ++k)
-      m[j][k] = N((j == k ? diagonal : N(0.0)) + sign * u[j] * u[k]);
-  return m;
+  const Vec<N>& n = shape_.normal<N>(shape_.element(s));
+  const N h = inner(n, d);
+  return {N(h * h), inner(n, n), times(n, N(two * h)), matrix(zero, n, one)};
 }
 
 bool Sites::farther(Site a, Site b, const Box3& box) const {
-  const Point3 center = center_of(box);
   const auto h = half_widths(box);
   return decide([&]<class N>(const N&) {
-           const Vec<N> c = exactly<N>(center);
-           const auto fa = squared_distance(c, a), fb = squared_distance(c, b);
-           const auto ma = second_order<N>(a), mb = second_order<N>(b);
+           const auto fa = squared_distance<N>(center_of(box), a, true),
+                      fb = squared_distance<N>(center_of(box), b, true);
            const auto less = [&](const N& p, const N& q) {
              return N(p * fb.denominator - q * fa.denominator);
            };
@@ -229,7 +169,7 @@ bool Sites::farther(Site a, Site b, const Box3& box) const {
            for (std::size_t i = 0; i < 3; ++i) {
              N change = magnitude(less(fa.gradient[i], fb.gradient[i]));
              for (std::size_t j = 0; j < 3; ++j)
-               change = N(change + magnitude(less(ma[i][j], mb[i][j])) * N(h[j]));
+               change = N(change + magnitude(less(fa.second[i][j], fb.second[i][j])) * N(h[j]));
              least = N(least - change * N(h[i]));
            }
            return sign_of(least);
@@ -237,73 +177,46 @@ bool Sites::farther(Site a, Site b, const Box3& box) const {
 }
 
 Ball Sites::square_of_distance(const Point3& x, Site s) const {
-  const auto f = squared_distance(exactly<Ball>(x), s);
+  const auto f = squared_distance<Ball>(x, s);
   return f.denominator.sign() == 1 ? divide(f.numerator, f.denominator)
                                    : Ball(0.0, std::numeric_limits<double>::infinity());
 }
 
 int Sites::compare(const Point3& x, Site a, Site b) const {
   return decide([&]<class N>(const N&) {
-    const Vec<N> p = exactly<N>(x);
-    const auto fa = squared_distance(p, a), fb = squared_distance(p, b);
+    const auto fa = squared_distance<N>(x, a), fb = squared_distance<N>(x, b);
     return sign_of(N(fa.numerator * fb.denominator - fb.numerator * fa.denominator));
   });
 }
 
-int Sites::compare_heights(const Point3& x, Site a, Site b) const {
-  return compare_heights(x, a, b, 1);
-}
-
-int Sites::compare_with_mirrored(const Point3& x, Site a, Site b) const {
-  return compare_heights(x, a, b, -1);
-}
-
 int Sites::compare_heights(const Point3& x, Site a, Site b, double sign_of_b) const {
   return decide([&]<class N>(const N&) {
-    const auto height = [&](Site s, N& squared_length) {
-      const Vec<N> n = shape_.normal<N>(shape_.element(s));
-      squared_length = inner(n, n);
-      return inner(n, minus(exactly<N>(x), exactly<N>(shape_.point[*shape_.corners(s).begin()])));
-    };
-    N s(0.0), t(0.0);
-    const N p = height(a, s), q = N(height(b, t) * N(sign_of_b));
-    return compare_over_roots(p, s, q, t);
+    const Vec<N>&n = shape_.normal<N>(shape_.element(a)), &m = shape_.normal<N>(shape_.element(b));
+    return compare_over_roots(inner(n, shape_.from<N>(shape_.corners(a)[0], x)), inner(n, n),
+                              N(inner(m, shape_.from<N>(shape_.corners(b)[0], x)) * N(sign_of_b)),
+                              inner(m, m));
   });
 }
 
-namespace {
-template <class N>
-Vec<N> as(const Vec<Rational>& w);
-template <>
-Vec<Ball> as<Ball>(const Vec<Rational>& w) {
-  return {enclose(w[0]), enclose(w[1]), enclose(w[2])};
-}
-template <>
-Vec<Rational> as<Rational>(const Vec<Rational>& w) {
-  return w;
-}
-}  // namespace
-
-int Sites::slope(const Point3& x, Site a, Site b, const Vec<Rational>& w) const {
-  const bool faces = shape_.kind(a) == Kind::kFace && shape_.kind(b) == Kind::kFace;
+int Sites::slope(const Point3& x, Site a, Site b, const Exact& w) const {
   return decide([&]<class N>(const N&) {
-    const Vec<N> v = as<N>(w);
-    if (faces) {
+    const Vec<N>& v = w.as<N>();
+    if (shape_.kind(a) == Kind::kFace && shape_.kind(b) == Kind::kFace) {
       // Inside both planes d = -height / |n|.
-      const Vec<N> na = shape_.normal<N>(shape_.element(a)),
-                   nb = shape_.normal<N>(shape_.element(b));
-      return compare_over_roots(inner(nb, v), inner(nb, nb), inner(na, v), inner(na, na));
+      const Vec<N>&n = shape_.normal<N>(shape_.element(a)),
+            &m = shape_.normal<N>(shape_.element(b));
+      return compare_over_roots(inner(m, v), inner(m, m), inner(n, v), inner(n, n));
     }
-    const auto fa = squared_distance(exactly<N>(x), a), fb = squared_distance(exactly<N>(x), b);
+    const auto fa = squared_distance<N>(x, a), fb = squared_distance<N>(x, b);
     return sign_of(
         N(inner(fa.gradient, v) * fb.denominator - inner(fb.gradient, v) * fa.denominator));
   });
 }
 
-int Sites::outward(const Point3& x, Site a, const Vec<Rational>& w) const {
+int Sites::outward(const Point3& x, Site a, const Exact& w) const {
   // grad d^2 = 2 (x - foot).
   return decide([&]<class N>(const N&) {
-    return sign_of(inner(squared_distance(exactly<N>(x), a).gradient, as<N>(w)));
+    return sign_of(inner(squared_distance<N>(x, a).gradient, w.as<N>()));
   });
 }
 
@@ -325,20 +238,10 @@ bool Sites::behind(Site site, Site other) const {
       return shape_.side_of_plane(t, shape_.point[v]) >= 0;
     });
   };
-  switch (shape_.kind(site)) {
-    case Kind::kVertex:
-      return std::ranges::none_of(
-                 shape_.edges_at[i],
-                 [&](std::uint32_t e) { return shape_.edge[e].bend == Bend::kConvex; }) &&
-             std::ranges::all_of(shape_.triangles_at[i], outside);
-    case Kind::kEdge:
-      return std::ranges::all_of(shape_.edge[i].triangle, outside);
-    case Kind::kFace:
-      break;
-  }
-  return outside(i);
+  if (shape_.kind(site) == Kind::kFace) return outside(i);
+  if (shape_.kind(site) == Kind::kEdge)
+    return std::ranges::all_of(shape_.edge[i].triangle, outside);
+  return !shape_.has(i, Bend::kConvex) && std::ranges::all_of(shape_.triangles_at[i], outside);
 }
-
-bool Sites::never_essential(Site a, Site b) const { return a == b || behind(a, b) || behind(b, a); }
 
 }  // namespace blum::verify

@@ -5,21 +5,20 @@
 #include <cstdio>
 #include <istream>
 #include <map>
+#include <numeric>
 
 #include "failure.hpp"
 #include "glue.hpp"
-#include "inside.hpp"
 #include "pruning.hpp"
 #include "reader.hpp"
 
 namespace blum::verify {
 namespace {
 
-constexpr const char* kFormat = "blum-certificate";
+using nlohmann::json;
+
 constexpr int kOldestVersion = 2, kMaxDepth = 1000;
-constexpr std::size_t kMostVersions = 1000;
 constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
-constexpr std::size_t kMostCells = 0xffffffffu;
 
 class Interrupted {};
 
@@ -45,23 +44,20 @@ class Checker {
   struct Candidates {
     std::vector<Site> kept, pending;
   };
-  void check_tree(std::uint32_t node, Candidates candidates,
-                  const std::vector<std::uint32_t>& triangles, int depth);
-  void check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
-                  std::vector<std::uint32_t> triangles);
-  void exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates, int looks);
-  [[nodiscard]] std::vector<std::uint32_t> meeting(const std::vector<std::uint32_t>& triangles,
-                                                   const Box3& box) const;
+  using Triangles = std::vector<std::uint32_t>;
+  void check_tree(std::uint32_t node, Candidates candidates, const Triangles& parents, int depth);
+  void check_leaf(const json& j, const Box3& box, Candidates candidates, Triangles triangles);
+  void exclude(const json& excluded, const Box3& box, const Triangles& triangles,
+               Candidates& candidates, int looks);
   using Lines = std::map<std::array<double, 3>, Line>;  // solved for one leaf, by axis, u, v
-  [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const nlohmann::json& j,
+  [[nodiscard]] FaceMap check_rectangle(const Rect& rect, const json& j,
                                         std::span<const Site> candidates,
-                                        std::span<const std::uint32_t> triangles, Lines& lines);
+                                        const Triangles& triangles, Lines& lines);
   [[nodiscard]] bool inside(const Point3& x);
   void check_interfaces();
   void check_complex();
-  void check_counts(const Complex& complex, const std::vector<bool>& gone, const nlohmann::json& j,
-                    const nlohmann::json& betti, const std::string& what);
-  void check_pruning(const Complex& complex);
+  void check_counts(const Complex& complex, const std::vector<bool>& gone, const json& j,
+                    const json& betti, const std::string& what);
 
   const Shape& shape_;
   Sites sites_;
@@ -92,45 +88,21 @@ bool Checker::inside(const Point3& x) {
   return it->second;
 }
 
-std::vector<std::uint32_t> Checker::meeting(const std::vector<std::uint32_t>& triangles,
-                                            const Box3& box) const {
-  const BoxCorners corners(box);
-  std::vector<std::uint32_t> kept;
-  for (const auto t : triangles) {
-    const auto& v = shape_.triangle[t].vertex;
-    bool apart = false;
-    for (int k = 0; k < 3 && !apart; ++k) {
-      const double a = shape_.point[v[0]][k], b = shape_.point[v[1]][k], c = shape_.point[v[2]][k];
-      apart = std::min({a, b, c}) > box.hi[k] || std::max({a, b, c}) < box.lo[k];
-    }
-    const auto all = [&](const Condition& c, int sign) {
-      return std::ranges::all_of(corners,
-                                 [&](const Point3& x) { return sites_.sign(c, x) == sign; });
-    };
-    const auto conditions = sites_.conditions(shape_.face_site(t));
-    apart = apart || all(conditions[3], 1) || all(conditions[3], -1);
-    for (std::size_t k = 0; k < 3 && !apart; ++k) apart = all(conditions[k], 1);
-    if (!apart) kept.push_back(t);
-  }
-  return kept;
-}
-
-void Checker::exclude(const nlohmann::json& excluded, const Box3& box, Candidates& candidates,
-                      int looks) {
+void Checker::exclude(const json& excluded, const Box3& box, const Triangles& triangles,
+                      Candidates& candidates, int looks) {
   const std::vector<Site> sites = read_sites(excluded, shape_.sites());
   std::vector<Site> kept, still;
   std::ranges::set_difference(candidates.kept, sites, std::back_inserter(kept));
   std::ranges::set_intersection(candidates.kept, sites, std::back_inserter(candidates.pending));
   for (const Site s : candidates.pending) {
     ++answer_.exclusions;
-    if (!exclusion_.governs_nothing(s, box, kept, looks)) still.push_back(s);
+    if (!exclusion_.governs_nothing(s, box, kept, triangles, looks)) still.push_back(s);
   }
   candidates = {std::move(kept), std::move(still)};
 }
 
-FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
-                                 std::span<const Site> candidates,
-                                 std::span<const std::uint32_t> triangles, Lines& lines) {
+FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<const Site> candidates,
+                                 const Triangles& triangles, Lines& lines) {
   const std::vector<PartNode> nodes = read_parts(j.at("parts"), shape_);
   const Graph graph = read_graph(j.at("graph"), shape_);
   const auto number = static_cast<std::uint32_t>(answer_.faces++);
@@ -150,39 +122,36 @@ FaceMap Checker::check_rectangle(const Rect& rect, const nlohmann::json& j,
   return map;
 }
 
-void Checker::check_leaf(const nlohmann::json& j, const Box3& box, Candidates candidates,
-                         std::vector<std::uint32_t> triangles) {
-  Leaf leaf;
-  leaf.box = box;
-  const std::string theorem = j.at("theorem");
+void Checker::check_leaf(const json& j, const Box3& box, Candidates candidates,
+                         Triangles triangles) {
+  Leaf leaf{box};
+  const std::string theorem = j.at("theorem"), name = "leaf " + std::to_string(leaf_.size());
   if (theorem == "undecided")
-    throw Failure("leaf " + std::to_string(leaf_.size()) + " is undecided (" +
-                  j.at("reason").get<std::string>() + "): the result is not certified");
+    throw Failure(name + " is undecided (" + j.at("reason").get<std::string>() +
+                  "): the result is not certified");
   if (theorem == "outside") {
     leaf.outside = true;
     require(triangles.empty() && !inside(box.lo), "a leaf meets the solid and is called outside");
   } else {
-    exclude(j.at("excluded"), box, candidates, kLeafLooks);
+    exclude(j.at("excluded"), box, triangles, candidates, kLeafLooks);
     if (!candidates.pending.empty())
       throw Failure("candidates: site " + std::to_string(candidates.pending.front()) +
-                    " was excluded and may govern a point of leaf " + std::to_string(leaf_.size()));
+                    " was excluded and may govern a point of " + name);
     leaf.candidates = std::move(candidates.kept);
     leaf.triangles = std::move(triangles);
-    const nlohmann::json& faces = j.at("faces");
-    if (!faces.is_array() || faces.size() != 6) throw Unreadable("a leaf has not six faces");
+    const json& faces = read_list(j.at("faces"), 6);
     Lines lines;
     for (std::size_t f = 0; f < 6; ++f)
-      leaf.face[f] = check_rectangle(face_of(box, static_cast<int>(f)), faces[f], leaf.candidates,
-                                     leaf.triangles, lines);
-    if (theorem == "conical") {
-      leaf.conical = true;
-      leaf.vertex = read_index(j.at("vertex"), shape_.point.size());
-      check_conical(shape_, box, leaf.vertex, leaf.candidates, leaf.triangles, leaf.face);
-    } else if (theorem == "boundary") {
+      leaf.face[f] =
+          check_rectangle(face_of(box, f), faces[f], leaf.candidates, leaf.triangles, lines);
+    leaf.conical = theorem == "conical";
+    if (leaf.conical)
+      check_conical(sites_, box, read_index(j.at("vertex"), shape_.point.size()), leaf.candidates,
+                    leaf.triangles, leaf.face);
+    else if (theorem == "boundary")
       check_boundary(sites_, box, leaf.triangles, leaf.face);
-    } else {
+    else
       throw Unreadable("unknown theorem: " + theorem);
-    }
   }
   leaf_.push_back(std::move(leaf));
   ++answer_.leaves;
@@ -190,28 +159,24 @@ void Checker::check_leaf(const nlohmann::json& j, const Box3& box, Candidates ca
   if (progress_ && !progress_(done_ / volume(node_[0].box))) throw Interrupted();
 }
 
-void Checker::check_tree(std::uint32_t node, Candidates candidates,
-                         const std::vector<std::uint32_t>& parent_triangles, int depth) {
+void Checker::check_tree(std::uint32_t node, Candidates candidates, const Triangles& parents,
+                         int depth) {
   require(depth < kMaxDepth, "the tree of cells is too deep");
   const Box3 box = node_[node].box;
-  std::vector<std::uint32_t> triangles = meeting(parent_triangles, box);
+  Triangles triangles = sites_.meeting(parents, box);
   if (reader_.at("leaf")) {
     node_[node].leaf = static_cast<std::uint32_t>(leaf_.size());
-    check_leaf(reader_.next("leaf"), box, std::move(candidates), std::move(triangles));
-    return;
+    return check_leaf(reader_.next("leaf"), box, std::move(candidates), std::move(triangles));
   }
-  const nlohmann::json j = reader_.next("node");
-  exclude(j.at("excluded"), box, candidates, kNodeLooks);
+  const json j = reader_.next("node");
+  exclude(j.at("excluded"), box, triangles, candidates, kNodeLooks);
   const int axis = static_cast<int>(read_index(j.at("axis"), 3));
   const double cut = read_number(j.at("cut"));
   require(cut > box.lo[axis] && cut < box.hi[axis],
           "the leaves do not tile: a cut outside its cell");
   const auto low = static_cast<std::uint32_t>(node_.size());
-  node_[node].axis = axis;
-  node_[node].cut = cut;
-  node_[node].low = low;
-  node_.push_back({box});
-  node_.push_back({box});
+  node_[node] = {box, axis, cut, low, 0};
+  node_.insert(node_.end(), 2, {box});
   node_[low].box.hi[axis] = node_[low + 1].box.lo[axis] = cut;
   check_tree(low, candidates, triangles, depth + 1);
   check_tree(low + 1, candidates, triangles, depth + 1);
@@ -219,24 +184,16 @@ void Checker::check_tree(std::uint32_t node, Candidates candidates,
 
 void Checker::check_interfaces() {
   while (reader_.at("interface")) {
-    const nlohmann::json j = reader_.next("interface");
-    const auto& at = j.at("rect");
-    const Rect rect{static_cast<int>(read_index(at.at(0), 3)),
-                    read_number(at.at(1)),
-                    read_number(at.at(2)),
-                    read_number(at.at(3)),
-                    read_number(at.at(4)),
-                    read_number(at.at(5))};
+    const json j = reader_.next("interface");
+    const json& at = read_list(j.at("rect"), 6);
+    const auto x = [&](std::size_t k) { return read_number(at[k]); };
+    const Rect rect{static_cast<int>(read_index(at[0], 3)), x(1), x(2), x(3), x(4), x(5)};
     const Leaf& leaf = leaf_[read_index(j.at("leaf"), leaf_.size())];
-    const auto within = [&](const Point3& p) {
-      for (int k = 0; k < 3; ++k)
-        if (p[k] < leaf.box.lo[k] || p[k] > leaf.box.hi[k]) return false;
-      return true;
-    };
-    require(within(point_on(rect.axis, rect.level, rect.u0, rect.v0)) &&
-                within(point_on(rect.axis, rect.level, rect.u1, rect.v1)) && rect.u0 < rect.u1 &&
-                rect.v0 < rect.v1,
-            "gluing: an interface is not on its leaf");
+    const Box3 box = box_of(rect);
+    for (int k = 0; k < 3; ++k)
+      require(box.lo[k] >= leaf.box.lo[k] && box.hi[k] <= leaf.box.hi[k] &&
+                  (box.lo[k] < box.hi[k] || k == rect.axis),
+              "gluing: an interface is not on its leaf");
     Lines lines;
     interface_[key_of(rect)] = check_rectangle(rect, j, leaf.candidates, leaf.triangles, lines);
   }
@@ -248,26 +205,36 @@ void Checker::check_complex() {
     require(it != interface_.end(), "gluing: the diagram of an interface is missing");
     return it->second;
   });
-  const nlohmann::json j = reader_.next("complex");
+  const json j = reader_.next("complex");
   std::vector<std::size_t> cones(leaf_.size(), 0);
   for (const auto& c : j.at("cones")) {
     const auto leaf = read_index(c.at(0), cones.size());
     if (cones[leaf] != 0) throw Unreadable("a leaf's cones are counted twice");
-    cones[leaf] = read_index(c.at(1), kMostCells);
+    cones[leaf] = read_index(c.at(1), kMost);
   }
   require(cones == complex.cones, "the complex has other cones than the leaves give");
-  const std::vector<bool> gone(complex.cell.size(), false);
-  check_counts(complex, gone, j, reader_.next("betti"), "the complex");
-  answer_.betti = betti_numbers(complex, gone);
-  if (reader_.at("collapse") || reader_.at("pruned")) check_pruning(complex);
+  const std::vector<bool> none(complex.cell.size(), false);
+  check_counts(complex, none, j, reader_.next("betti"), "the complex");
+  answer_.betti = shape_.betti();
+  if (!reader_.at("collapse") && !reader_.at("pruned")) return;
+  if (version_ < kFormatVersion) throw Unreadable("pruning, which this version has not");
+  Pruning pruning(shape_, complex);
+  while (reader_.at("collapse")) pruning.collapse(reader_.next("collapse"));
+  const json left = reader_.next("pruned");
+  answer_.theta_deg = pruning.end(left);
+  answer_.collapses = pruning.collapses;
+  answer_.pieces = pruning.pieces;
+  answer_.angles = pruning.angles;
+  check_counts(complex, pruning.gone, left, left.at("betti"), "the pruned complex");
 }
 
 /// What is said of the cells that are not gone.
-void Checker::check_counts(const Complex& complex, const std::vector<bool>& gone,
-                           const nlohmann::json& j, const nlohmann::json& betti,
-                           const std::string& what) {
-  for (const auto& [name, count] : count_cells(complex, gone))
-    require(read_index(j.at("cells").at(name), kMostCells) == count,
+void Checker::check_counts(const Complex& complex, const std::vector<bool>& gone, const json& j,
+                           const json& betti, const std::string& what) {
+  auto count = count_cells(complex, gone);
+  for (const char* name : {"ties", "events", "rims", "convex points", "convex vertices", "apices",
+                           "arcs", "convex edges", "spokes"})
+    require(read_index(j.at("cells").at(name), kMost) == count[name],
             what + " has another number of cells: " + name);
   long euler = 0;
   for (std::size_t c = 0; c < gone.size(); ++c)
@@ -276,45 +243,38 @@ void Checker::check_counts(const Complex& complex, const std::vector<bool>& gone
           what + " has another Euler characteristic");
   const auto found = betti_numbers(complex, gone);
   for (std::size_t k = 0; k < 3; ++k)
-    require(read_index(betti.at(k), kMostCells) == static_cast<std::uint64_t>(found[k]),
+    require(std::cmp_equal(read_index(betti.at(k), kMost), found[k]),
             what + " has other Betti numbers");
   require(found == shape_.betti(), "the Betti numbers are not those of the solid");
 }
 
-void Checker::check_pruning(const Complex& complex) {
-  if (version_ < kFormatVersion) throw Unreadable("pruning, which this version has not");
-  Pruning pruning(shape_, complex);
-  while (reader_.at("collapse")) pruning.collapse(reader_.next("collapse"));
-  const nlohmann::json j = reader_.next("pruned");
-  answer_.theta_deg = pruning.end(j);
-  answer_.collapses = pruning.collapses();
-  answer_.pieces = pruning.pieces();
-  answer_.angles = pruning.angles();
-  check_counts(complex, pruning.gone(), j, j.at("betti"), "the pruned complex");
-}
-
 void Checker::run(const std::string& fingerprint) {
-  const nlohmann::json header = reader_.next("header");
-  if (header.at("format") != kFormat) throw Unreadable("not a certificate of blum");
-  version_ = static_cast<int>(read_index(header.at("version"), kMostVersions));
+  const json header = reader_.next("header");
+  if (header.at("format") != "blum-certificate") throw Unreadable("not a certificate of blum");
+  version_ = static_cast<int>(read_index(header.at("version"), 1000));
   if (version_ > kFormatVersion || version_ < kOldestVersion)
     throw Unreadable("version " + std::to_string(version_) + " of the format; this program reads " +
                      std::to_string(kOldestVersion) + " to " + std::to_string(kFormatVersion));
-  require(header.at("model").at("fingerprint") == fingerprint &&
-              header.at("model").at("points") == shape_.point.size() &&
-              header.at("model").at("triangles") == shape_.triangle.size(),
+  const json& model = header.at("model");
+  require(model.at("fingerprint") == fingerprint && model.at("points") == shape_.point.size() &&
+              model.at("triangles") == shape_.triangle.size(),
           "the certificate is of another model");
-  const Box3 root = read_box(header.at("box"));
-  for (const Point3& p : shape_.point)
-    for (int k = 0; k < 3; ++k)
-      require(p[k] > root.lo[k] && p[k] < root.hi[k], "the solid does not lie in the box");
+  Box3 root;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    root.lo[axis] = read_number(header.at("box").at("low").at(k));
+    root.hi[axis] = read_number(header.at("box").at("high").at(k));
+    for (const Point3& p : shape_.point)
+      require(p[axis] > root.lo[axis] && p[axis] < root.hi[axis],
+              "the solid does not lie in the box");
+  }
   node_.push_back({root});
-  std::vector<std::uint32_t> triangles(shape_.triangle.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
+  Triangles triangles(shape_.triangle.size());
+  std::iota(triangles.begin(), triangles.end(), 0u);
   check_tree(0, {shape_.candidates(), {}}, triangles, 0);
   check_interfaces();
   check_complex();
-  const nlohmann::json end = reader_.next("end");
+  const json end = reader_.next("end");
   require(end.at("certified") == true, "the certificate calls itself not certified");
   if (end.at("lines") != reader_.line()) throw Unreadable("the number of lines is wrong");
   reader_.end();
