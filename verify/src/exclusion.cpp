@@ -88,7 +88,7 @@ bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
 
 Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) const {
   const auto h = half_widths(box);
-  View v{center_of(box), up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]))};
+  View v{center_of(box), up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2])), kInfinity, {}};
   for (const Site s : against) {
     // Projected into the site; else its corners bound the distance.
     if (sites_.covers(s, {v.center, v.center})) {

@@ -124,7 +124,7 @@ FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<cons
 
 void Checker::check_leaf(const json& j, const Box3& box, Candidates candidates,
                          Triangles triangles) {
-  Leaf leaf{box};
+  Leaf leaf{box, false, false, 0, {}, {}, {}};
   const std::string theorem = j.at("theorem"), name = "leaf " + std::to_string(leaf_.size());
   if (theorem == "undecided")
     throw Failure(name + " is undecided (" + j.at("reason").get<std::string>() +
