@@ -81,10 +81,16 @@ bool exclude_each_other(const PairForm& f, const PairForm& g, Factor factor, con
   return false;
 }
 
-/// The conditions of the site's domain that may fail in the range, as forms that are not negative
-/// where it governs.
+/// A condition of a domain that may fail in the range, by midpoints: not negative where the site
+/// governs.
+struct Condition {
+  double value;
+  std::array<double, 3> gradient;
+  const HalfSpace* exact;
+};
+
 struct Conditions {
-  std::array<PairForm, kMaxConditions> form;
+  std::array<Condition, kMaxConditions> all;
   std::uint32_t count = 0;
 
   Conditions(const SiteGeometry& geometry, const LocalForm& f, const Range& range) {
@@ -92,27 +98,67 @@ struct Conditions {
     const auto domain = geometry.domain(f.site);
     for (std::uint32_t k = 0; k < domain.size() && count < kMaxConditions; ++k) {
       if (k < 32 && (f.crossed >> k & 1) == 0) continue;
-      const BallVector& w = domain[k].w;
-      const Ball h = dot(w, difference(range.center, geometry.solid().point[domain[k].base]));
-      form[count++] = linear_form(-h, {-w[0], -w[1], -w[2]});
+      const Point3& p = geometry.solid().point[domain[k].base];
+      Condition& c = all[count++];
+      c.exact = &domain[k];
+      c.value = 0;
+      for (int i = 0; i < 3; ++i) {
+        c.gradient[i] = -domain[k].w[i].mid;
+        c.value += c.gradient[i] * (range.center[i] - p[i]);
+      }
     }
   }
-  [[nodiscard]] std::span<const PairForm> all() const { return std::span(form).first(count); }
+  [[nodiscard]] const Condition* begin() const { return all.data(); }
+  [[nodiscard]] const Condition* end() const { return all.data() + count; }
 };
+
+PairForm form_of(const SiteGeometry& geometry, const Condition& c, const Range& range) {
+  const BallVector& w = c.exact->w;
+  return linear_form(-dot(w, difference(range.center, geometry.solid().point[c.exact->base])),
+                     {-w[0], -w[1], -w[2]});
+}
+
+/// By midpoints alone, with `bend` the most that the second-order terms of g add: a guess whether
+/// exclude_each_other will find a factor.
+bool seem_to_exclude(const Condition& f, double value, const std::array<double, 3>& gradient,
+                     double bend, Factor factor, const Range& range) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (range.half[k] == 0 || gradient[k] == 0) continue;
+    const double t = -f.gradient[k] / gradient[k];
+    if (!std::isfinite(t) || (factor == Factor::kPositive && !(t > 0))) continue;
+    double bound = f.value + t * value + std::abs(t) * bend;
+    for (std::size_t i = 0; i < 3; ++i)
+      bound += std::abs(f.gradient[i] + t * gradient[i]) * range.half[i];
+    if (bound < 0) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 bool tie_outside_domains(EngineContext& context, const LocalForm& a, const LocalForm& c,
                          const Range& range) {
   if (a.crossed == 0 && c.crossed == 0) return false;
+  const SiteGeometry& geometry = context.geometry;
+  const Conditions of_a(geometry, a, range), of_c(geometry, c, range);
+  for (const Condition& f : of_a)
+    for (const Condition& g : of_c)
+      if (seem_to_exclude(f, g.value, g.gradient, 0, Factor::kPositive, range) &&
+          exclude_each_other(form_of(geometry, f, range), form_of(geometry, g, range),
+                             Factor::kPositive, range))
+        return true;
   const PairForm tie = tie_form(context, a, c, range);
-  const Conditions of_a(context.geometry, a, range), of_c(context.geometry, c, range);
+  const std::array<double, 3> gradient = {tie.gradient[0].mid, tie.gradient[1].mid,
+                                          tie.gradient[2].mid};
+  double bend = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      bend += std::abs(tie.matrix(i, j).mid) * range.half[i] * range.half[j];
   for (const auto* of : {&of_a, &of_c})
-    for (const PairForm& f : of->all())
-      if (exclude_each_other(f, tie, Factor::kAny, range)) return true;
-  for (const PairForm& f : of_a.all())
-    for (const PairForm& g : of_c.all())
-      if (exclude_each_other(f, g, Factor::kPositive, range)) return true;
+    for (const Condition& f : *of)
+      if (seem_to_exclude(f, tie.value.mid, gradient, bend, Factor::kAny, range) &&
+          exclude_each_other(form_of(geometry, f, range), tie, Factor::kAny, range))
+        return true;
   return false;
 }
 
