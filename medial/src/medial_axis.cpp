@@ -12,13 +12,11 @@
 #include "assemble.hpp"
 #include "blum/arrangement/cgal_engine.hpp"
 #include "blum/kernel/check.hpp"
-#include "blum/kernel/parallel.hpp"
 #include "blum/kernel/point_algebra.hpp"
 #include "blum/kernel/site_geometry.hpp"
 #include "blum/medial/review.hpp"
 #include "blum/subdivision/cell_test.hpp"
 #include "blum/subdivision/engine_set.hpp"
-#include "blum/subdivision/local_diagrams.hpp"
 #include "blum/subdivision/refine.hpp"
 #include "blum/subdivision/sided_face.hpp"
 #include "blum/subdivision/voronoi_surface.hpp"
@@ -79,7 +77,8 @@ long euler_of(const CellComplex& c) {
 }
 
 VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOptions& options,
-                           const CellComplex& complex, EngineSet& engines) {
+                           const Subdivision& subdivision, const CellComplex& complex,
+                           EngineSet& engines) {
   VoronoiCheck check;
   check.side = options.side;
   check.regions = geometry.candidates().size();
@@ -90,18 +89,10 @@ VoronoiCheck check_voronoi(const SiteGeometry& geometry, const SubdivisionOption
       ++(region_is_inside(engines.production().predicates(), s) ? check.regions_inside
                                                                 : check.regions_outside);
   check.euler = euler_of(complex);
-  const Box3 box = root_box(geometry, options);
-  // Not those of the leaves: what the subdivision took from them is checked, too. The engines give
-  // the same diagrams of the common edges whoever asks.
-  VoronoiSurface::Faces face;
-  for_each_in_parallel(engines.threads(), face.size(), [&](int thread, std::size_t f) {
-    LocalDiagrams diagrams(engines.diagrams(thread), geometry.solid(), geometry.candidates(), {});
-    face[f] = diagrams.face(box_face(box, static_cast<int>(f)));
-  });
-  for (const auto& d : face)
-    if (d->status != FaceStatus::kDecided) return check;
+  for (const auto& d : subdivision.surface)
+    if (!d) return check;
   check.decided = true;
-  check.pieces_euler = VoronoiSurface(face).pieces_euler();
+  check.pieces_euler = VoronoiSurface(subdivision.surface).pieces_euler();
   return check;
 }
 
@@ -245,7 +236,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     if (kind == DiagramKind::kMedial) BLUM_CHECK(result.betti == result.solid_betti);
   }
   if (kind == DiagramKind::kVoronoi) {
-    result.voronoi = check_voronoi(geometry, options, result.complex, engines);
+    result.voronoi = check_voronoi(geometry, options, subdivided.value(), result.complex, engines);
     // The same holds for Euler's formula in the box.
     if (result.certified && result.voronoi->decided) BLUM_CHECK(result.voronoi->holds());
     if (result.certified && options.side == VoronoiSide::kInside) {

@@ -105,7 +105,24 @@ CellOutcome CellWorker::work(Cell& cell) {
       return leaf;
     }
   }
+  if (!small) take_halves(cell);
   return divide(cell, small);
+}
+
+/// For the sake of the cell's parts.
+void CellWorker::take_halves(Cell& cell) {
+  LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
+  for (const auto& inherited : cell.face)
+    if (inherited) diagrams.adopt(inherited);
+  for (const auto& whole : cell.whole)
+    if (whole) diagrams.inherit(whole);
+  for (int f = 0; f < 6; ++f) {
+    if (!cell.whole[f] || cell.face[f]) continue;
+    auto face = diagrams.face(box_face(cell.box, f));
+    if (face->status == FaceStatus::kDecided) cell.face[f] = std::move(face);
+  }
+  cell.whole = {};
+  stats_.faces_computed += diagrams.faces_computed();
 }
 
 /// Is the cell known to lie on the side of the boundary that is not wanted?

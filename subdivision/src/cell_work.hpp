@@ -86,6 +86,7 @@ class CellWorker {
   }
   [[nodiscard]] bool is_beyond(const Cell& cell) const;
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
+  void take_halves(Cell& cell);
   [[nodiscard]] bool fine_enough(const Cell& cell) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);
   [[nodiscard]] std::optional<Split> split(Cell& cell, bool validate);

@@ -142,6 +142,7 @@ Subdivision Subdivider::numbered() {
   Subdivision r;
   r.side = work_.options.side;
   r.stats = result_.stats;
+  r.surface = result_.surface;
   r.stats.leaves_cut = r.stats.tubes = 0;
   r.node.reserve(result_.node.size());
   r.leaf.reserve(result_.leaf.size());
@@ -180,8 +181,21 @@ Subdivision Subdivider::finished() {
   return subdivision;
 }
 
+/// In a Voronoi diagram the faces of all cells on the box are parts of its six; in a medial one
+/// they lie outside the solid.
+void Subdivider::find_surface() {
+  Cell& root = stack_.back();
+  for_each_in_parallel(engines_.threads(), root.face.size(), [&](int thread, std::size_t f) {
+    LocalDiagrams diagrams(engines_.diagrams(thread), work_.geometry.solid(), root.candidates, {});
+    auto face = diagrams.face(box_face(root.box, static_cast<int>(f)));
+    if (face->status == FaceStatus::kDecided) result_.surface[f] = std::move(face);
+  });
+  root.face = result_.surface;
+}
+
 Result<Subdivision> Subdivider::run() {
   add_root();
+  if (work_.geometry.kind() == DiagramKind::kVoronoi) find_surface();
   if (auto interrupted = work_on_all()) return *interrupted;
   if (engines_.watch().look() == Stop::kMemory)
     // Numbering must not take more: nothing is assembled then.

@@ -29,6 +29,7 @@ class Subdivider {
 
  private:
   void add_root();
+  void find_surface();
   /// The leaf as a cell whose leaves will have at most `fraction` of its diameter.
   [[nodiscard]] static Cell cell_of(const Leaf& leaf, std::uint32_t node, int depth,
                                     double fraction);

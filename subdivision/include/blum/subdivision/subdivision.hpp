@@ -133,6 +133,8 @@ struct Subdivision {
   std::vector<CellNode> node;             ///< node[0] is the root
   std::vector<Leaf> leaf;
   SubdivisionStats stats;
+  /// Voronoi: the diagrams of the root's faces, where decided.
+  std::array<std::shared_ptr<const FaceDiagram>, 6> surface;
 };
 
 /// The box around the solid with which the subdivision begins, in the working frame: in general
