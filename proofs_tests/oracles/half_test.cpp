@@ -1,8 +1,10 @@
 // The diagram of half a rectangle taken from that of the whole: the map of the half alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 #include "arrangement/coarse_map.hpp"
 #include "arrangement/face_scenes.hpp"
@@ -23,6 +25,16 @@ struct Tally {
 std::string signature(const FaceDiagram& d) {
   const auto name = [](std::uint32_t i) { return std::to_string(i); };
   return test::coarse_signature(d, name, name);
+}
+
+/// How many sites that the arcs name label no region of the diagram computed alone: these govern
+/// nothing there.
+std::size_t false_names(const FaceDiagram& d, const FaceDiagram& alone) {
+  std::set<SiteId> labels;
+  for (const FaceRegion& r : alone.region) labels.insert(r.labels.begin(), r.labels.end());
+  std::size_t n = 0;
+  for (const FaceArc& a : d.arc) n += !labels.contains(a.left) + !labels.contains(a.right);
+  return n;
 }
 
 /// In (lo, hi): anywhere, or beside what the diagram shows, or an ulp beside.
@@ -85,9 +97,11 @@ void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for
       whole = std::move(half);
       continue;
     }
+    ASSERT_EQ(test::diagram_defect(half), "") << test::describe(scene, rect);
     if (alone.status != FaceStatus::kDecided) {
       ++tally.alone_undecided;
     } else {
+      ASSERT_EQ(false_names(half, alone), 0u) << test::describe(scene, rect);
       ASSERT_EQ(signature(half), signature(alone)) << test::describe(scene, rect);
       tally.parted += half.region.size() > 2 && half.arc.size() < whole.arc.size();
     }
@@ -98,10 +112,7 @@ void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for
         ASSERT_EQ(test::coarse_map_difference(half, brute), "") << test::describe(scene, rect);
       }
     }
-    for (const FaceArc& a : half.arc) {
-      ASSERT_LT(a.region[0], half.region.size());
-      ASSERT_LT(a.region[1], half.region.size());
-    }
+    for (const FaceArc& a : half.arc) ASSERT_NE(a.left, a.right) << test::describe(scene, rect);
     whole = std::move(half);
   }
 }
@@ -156,6 +167,27 @@ TEST(Halves, BesideEdgesFlatButForRounding_AreTheMapOfTheHalfAlone) {
   const Tally t = run_voronoi(3, 6, 5, test::nearly_flat_voronoi_scenes());
   EXPECT_GE(t.taken, 40);
   EXPECT_GE(t.parted, 10);
+}
+
+// Regions of many sites, of which few govern on either side of a cut.
+TEST(Halves, OfRegionsOfManySites_NameSitesThatGovernThere) {
+  Random random(7);
+  std::vector<Scene> scenes;
+  for (const std::uint64_t seed : {1u, 2u}) {
+    const auto triangulated = [seed](const PolygonMesh& m) {
+      return shapes::rotate_rounded(shapes::triangulate_facets(m, seed), seed);
+    };
+    scenes.emplace_back("plate", triangulated(shapes::plate(2, 16)));
+    scenes.emplace_back("spoon", triangulated(shapes::spoon()));
+    scenes.emplace_back("prism", triangulated(shapes::prism(24)));
+  }
+  Tally tally;
+  for (int round = 0; round < 25; ++round)
+    for (const Scene& scene : scenes)
+      compare(random, scene, test::random_rect(random, scene, uniform(random, 0.1, 1.2)), 0, tally);
+  print(tally);
+  EXPECT_GE(tally.taken, 400);
+  EXPECT_GE(tally.parted, 50);
 }
 
 TEST(SweepHalves, AreTheMapOfTheHalfAlone) {
