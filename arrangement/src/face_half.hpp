@@ -41,6 +41,7 @@ class FaceEngine::HalfMap {
         !find_graph() || !find_circles() || !find_sides_of_arcs())
       return false;
     find_labels();
+    find_governors();
     return std::ranges::all_of(arcs_, [this](Arc& a) { return name_sides(a); });
   }
   void record();
@@ -100,8 +101,8 @@ class FaceEngine::HalfMap {
   [[nodiscard]] bool find_sides_of_arcs();
 
   void find_labels();
-  [[nodiscard]] SiteId governor_in(const Run& run) const;
-  [[nodiscard]] bool name_sides(Arc& a) const;
+  void find_governors();
+  [[nodiscard]] bool name_sides(Arc& a);
 
   FaceEngine& engine_;
   const FaceDiagram& whole_;
@@ -123,6 +124,7 @@ class FaceEngine::HalfMap {
   std::map<std::uint32_t, std::array<std::uint32_t, 2>> end_;  // local node -> runs beside it
   std::vector<std::vector<SiteId>> labels_;                    // of the whole's regions
   UnionFind same_;                                             // over runs: parts of one region
+  std::vector<std::vector<SiteId>> governors_;  // in each such part, by its first run
 };
 
 }  // namespace blum

@@ -18,15 +18,19 @@ void FaceEngine::HalfMap::find_labels() {
       if (may_govern(f.site, r)) labels_[r].push_back(f.site);
 }
 
-/// A site that governs in the region of the run.
-SiteId FaceEngine::HalfMap::governor_in(const Run& run) const {
-  return run.elements.empty() ? engine_.context_.geometry.index().face(run.traces.front())
-                              : witness_.at(run.elements.front());
+/// Sites that certainly govern in the parts of regions that show on the border.
+void FaceEngine::HalfMap::find_governors() {
+  governors_.resize(runs_.size());
+  for (std::uint32_t k = 0; k < runs_.size(); ++k) {
+    auto& own = governors_[same_.find(k)];
+    for (const auto e : runs_[k].elements) own.push_back(witness_.at(e));
+    for (const auto t : runs_[k].traces) own.push_back(engine_.context_.geometry.index().face(t));
+  }
 }
 
-/// A governor on each side of the arc. One that the whole's diagram names may govern beyond the cut
-/// alone.
-bool FaceEngine::HalfMap::name_sides(Arc& a) const {
+/// A governor on each side of the arc, not the same for both. One that the whole's diagram names
+/// may govern beyond the cut alone, unless the region lies wholly in the half.
+bool FaceEngine::HalfMap::name_sides(Arc& a) {
   for (const auto n : {a.from, a.to})
     if (end_.contains(n) && id_[n] != kNone) {
       const auto& g = engine_.nodes_[id_[n]].node.governors;
@@ -34,15 +38,21 @@ bool FaceEngine::HalfMap::name_sides(Arc& a) const {
       return true;
     }
   const auto& r = a.of->region;
-  const bool as_named = may_govern(a.of->left, r[0]) && may_govern(a.of->right, r[1]);
-  a.sites = {as_named ? a.of->left : a.of->right, as_named ? a.of->right : a.of->left};
+  const std::array named = {a.of->left, a.of->right};
+  const auto fits = [&](std::size_t first) {  // may the first of the names be that of side 0?
+    return may_govern(named[first], r[0]) && may_govern(named[1 - first], r[1]);
+  };
   for (const std::size_t k : {0u, 1u}) {
-    const auto& labels = labels_[r[k]];
-    if (std::ranges::find(labels, a.sites[k]) != labels.end()) continue;
-    if (a.run[k] == kNone) return false;
-    a.sites[k] = governor_in(runs_[a.run[k]]);
+    if (a.run[k] == kNone) {
+      if (r[0] != r[1] && fits(0) == fits(1)) return false;
+      a.sites[k] = named[r[0] == r[1] || fits(0) ? k : 1 - k];
+      continue;
+    }
+    const auto& own = governors_[same_.find(a.run[k])];
+    const auto certain = [&](SiteId s) { return std::ranges::find(own, s) != own.end(); };
+    a.sites[k] = certain(named[k]) ? named[k] : certain(named[1 - k]) ? named[1 - k] : own.front();
   }
-  return true;
+  return a.sites[0] != a.sites[1];
 }
 
 }  // namespace blum
