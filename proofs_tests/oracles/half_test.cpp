@@ -63,6 +63,44 @@ double cut_coordinate(Random& random, const FaceDiagram& d, bool along_u, double
   return x > lo && x < hi ? x : 0.5 * (lo + hi);
 }
 
+/// The same diagram, known less well: boxes of nodes are larger, and events joined by an arc are
+/// one cluster.
+void blur(Random& random, FaceDiagram& d) {
+  for (int round = 0; round < 2 && !d.arc.empty(); ++round) {
+    const auto a = static_cast<std::uint32_t>(random() % d.arc.size());
+    const auto from = d.arc[a].from, to = d.arc[a].to;
+    FaceNode &x = d.node[from], &y = d.node[to];
+    if (from == to || x.kind != FaceNode::Kind::kEvent || y.kind != FaceNode::Kind::kEvent ||
+        std::ranges::count_if(d.arc, [&](const FaceArc& b) {
+          return (b.from == from && b.to == to) || (b.from == to && b.to == from);
+        }) != 1)
+      continue;
+    // The arc between them may leave their boxes: the cluster's holds all of it.
+    x.u0 = d.rect.u0, x.u1 = d.rect.u1, x.v0 = d.rect.v0, x.v1 = d.rect.v1;
+    x.exact = false;
+    x.governors.insert(x.governors.end(), y.governors.begin(), y.governors.end());
+    std::ranges::sort(x.governors);
+    x.governors.erase(std::unique(x.governors.begin(), x.governors.end()), x.governors.end());
+    d.arc.erase(d.arc.begin() + a);
+    const auto last = static_cast<std::uint32_t>(d.node.size() - 1);
+    for (FaceArc& b : d.arc)
+      for (auto* n : {&b.from, &b.to}) {
+        if (*n == to) *n = from;
+        if (*n == last && to != last) *n = to;
+      }
+    if (to != last) d.node[to] = d.node[last];
+    d.node.pop_back();
+  }
+  for (FaceNode& n : d.node) {
+    if ((n.kind != FaceNode::Kind::kEvent && n.kind != FaceNode::Kind::kRim) || random() % 2 == 0)
+      continue;
+    n.u0 = std::max(d.rect.u0, n.u0 - uniform(random, 0, 0.5) * (d.rect.u1 - d.rect.u0));
+    n.u1 = std::min(d.rect.u1, n.u1 + uniform(random, 0, 0.5) * (d.rect.u1 - d.rect.u0));
+    n.v0 = std::max(d.rect.v0, n.v0 - uniform(random, 0, 0.5) * (d.rect.v1 - d.rect.v0));
+    n.v1 = std::min(d.rect.v1, n.v1 + uniform(random, 0, 0.5) * (d.rect.v1 - d.rect.v0));
+  }
+}
+
 /// Halves of halves, each against the half alone; now and then against the exact engine.
 void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for_brute,
              Tally& tally) {
@@ -78,6 +116,7 @@ void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for
   FaceDiagram whole = scene.engine().face(problem(rect, sites));
   if (whole.status != FaceStatus::kDecided) return;
   ++tally.wholes;
+  const bool blurred = random() % 2 == 0;
   for (int depth = 0; depth < 5; ++depth) {
     const bool along_u = random() % 2 == 0, high = random() % 2 == 0;
     double &lo = along_u ? rect.u0 : rect.v0, &hi = along_u ? rect.u1 : rect.v1;
@@ -85,6 +124,7 @@ void compare(Random& random, const Scene& scene, Rect rect, std::size_t most_for
     if (!(lo < hi)) return;
     const auto near = scene.near(rect);
     FaceProblem from_whole = problem(rect, near);
+    if (blurred) blur(random, whole);
     from_whole.whole = &whole;
     ProductionEngine engine = scene.engine(), other = scene.engine();
     FaceDiagram half = engine.face(from_whole);
