@@ -76,6 +76,13 @@ TEST(VerifyFixtures, PartCutByAHoleAndThinPolarCone_Verified) {
   }
 }
 
+// No site covers the centre of a box for certain, and corners are far.
+TEST(VerifyFixtures, Needle_Verified) {
+  const Certified c = fixture("needle_of_2e8", 377);
+  const verify::Answer answer = check(c, c.record);
+  EXPECT_EQ(answer.outcome, Outcome::kVerified) << answer.statement;
+}
+
 // An edge beside a face in its plane but for rounding: they do not tie, as the gap is wider than
 // their depth allows.
 TEST(SweepVerifyFixtures, EdgesBesideFacesInTheirPlanes_Verified) {

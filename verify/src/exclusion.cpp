@@ -90,14 +90,26 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   const auto h = half_widths(box);
   View v{center_of(box), up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2])), kInfinity, {}};
   for (const Site s : against) {
-    // Projected into the site; else its corners bound the distance.
+    // Projected into the site; else points of its sides bound the distance.
     if (sites_.covers(s, {v.center, v.center})) {
       const double d = root_bound(sites_.square_of_distance(v.center, s));
       v.nearest = std::min(v.nearest, d);
       if (sites_.covers(s, box)) v.reference.emplace_back(d, s);
     } else {
-      for (const auto corner : sites_.shape().corners(s))
-        v.nearest = std::min(v.nearest, root_bound(sites_.square_of_distance(v.center, corner)));
+      const auto corner = sites_.shape().corners(s);
+      for (const auto a : corner)
+        for (const auto b : corner) {
+          const Point3 &p = sites_.shape().point[a], &q = sites_.shape().point[b];
+          double along = 0, length = 0;
+          for (int k = 0; k < 3; ++k) {
+            along += (v.center[k] - p[k]) * (q[k] - p[k]);
+            length += (q[k] - p[k]) * (q[k] - p[k]);
+          }
+          const Ball t(length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0.0);
+          const BallVector to = difference(v.center, p), side = difference(q, p);
+          const BallVector r = {to[0] - t * side[0], to[1] - t * side[1], to[2] - t * side[2]};
+          v.nearest = std::min(v.nearest, root_bound(dot(r, r)));
+        }
     }
   }
   std::ranges::sort(v.reference);
