@@ -1,6 +1,7 @@
-// Whole runs: torus 8x4, 16x8, 32x16, 64x32 and a few CAD shapes, medial; and, in both modes on two
-// threads, models with the counts of the thesis' spoon (1.7 s there) and chisel (130.3 s, 2006);
-// with sites, time by phase, decisions by stage, leaves and peak memory as counters. `compare.py
+// Whole runs: torus 8x4, 16x8, 32x16, 64x32 and a few CAD shapes, medial; the tori with cells of
+// any number of sites (`--cell-sites 0`); and, in both modes on two threads, models with the counts
+// of the thesis' spoon (1.7 s there) and chisel (130.3 s, 2006); with sites, time by phase,
+// decisions by stage, leaves and peak memory as counters. `compare.py
 // --growth RUN.json` fits the exponents of growth in sites.
 //
 // One iteration each: a run is long and deterministic. One thread, so that the processor time
@@ -34,17 +35,15 @@ double peak_bytes() {
 }
 
 void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make,
-         blum::DiagramKind kind, int threads) {
+         blum::DiagramKind kind, blum::MedialOptions options) {
   const blum::Result<blum::Solid> solid = blum::build_solid(make());
   if (!solid) {
     state.SkipWithError(solid.error().message.c_str());
     return;
   }
   const blum::SiteCounts sites = blum::count_sites(solid.value());
-  blum::MedialOptions options;
   options.time_limit_s = kTimeLimit_s;
   reset_peak();
-  options.threads = threads;
   for (auto _ : state) {
     const blum::Result<blum::MedialResult> result =
         kind == blum::DiagramKind::kMedial ? blum::compute_medial_axis(solid.value(), options)
@@ -74,8 +73,12 @@ void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make
 }
 
 void add(const std::string& name, std::function<blum::PolygonMesh()> make,
-         blum::DiagramKind kind = blum::DiagramKind::kMedial, int threads = 1) {
-  benchmark::RegisterBenchmark(name.c_str(), run, std::move(make), kind, threads)
+         blum::DiagramKind kind = blum::DiagramKind::kMedial, int threads = 1,
+         std::size_t cell_sites = blum::MedialOptions().max_candidates) {
+  blum::MedialOptions options;
+  options.threads = threads;
+  options.max_candidates = cell_sites;
+  benchmark::RegisterBenchmark(name.c_str(), run, std::move(make), kind, options)
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
 }
@@ -87,8 +90,10 @@ const bool kRegistered = [] {
   add("medial/lbracket_rotated", [] { return rotate_rounded(lbracket(), 1); });
   add("medial/plate_2_holes", [] { return plate(2, 8); });
   for (const int n : {8, 16, 32, 64}) {
-    add("medial/torus/" + std::to_string(n) + "x" + std::to_string(n / 2),
-        [n] { return torus(n, n / 2, 2, 0.75); });
+    const auto make = [n] { return torus(n, n / 2, 2, 0.75); };
+    const std::string size = std::to_string(n) + "x" + std::to_string(n / 2);
+    add("medial/torus/" + size, make);
+    add("medial/torus_any_cell/" + size, make, blum::DiagramKind::kMedial, 1, 0);
   }
   for (const auto& [mode, kind] : {std::pair{"medial/", blum::DiagramKind::kMedial},
                                    std::pair{"voronoi/", blum::DiagramKind::kVoronoi}}) {

@@ -1,5 +1,5 @@
 # BLUM_JEMALLOC, if it is there and no sanitizer wants malloc for itself: the tool is linked with it,
-# the libraries are not. It takes 7 to 15 % off the processor time of the tool.
+# the libraries are not. It takes about a tenth off the processor time of the tool.
 option(BLUM_WITH_JEMALLOC "Link the tool with jemalloc where it is found" ON)
 find_library(BLUM_JEMALLOC jemalloc)
 mark_as_advanced(BLUM_JEMALLOC)

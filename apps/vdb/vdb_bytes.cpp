@@ -23,8 +23,8 @@ typename Grid::Ptr grid_of(const blum::FieldImage& image, const char* name,
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) void blum_vdb_bytes(
-    const blum::FieldImage& image, std::string& bytes) {
+extern "C" __attribute__((visibility("default"))) void blum_vdb_bytes(const blum::FieldImage& image,
+                                                                      std::string& bytes) {
   openvdb::initialize();
   const auto distance =
       grid_of<openvdb::DoubleGrid>(image, "distance", std::numeric_limits<double>::infinity());

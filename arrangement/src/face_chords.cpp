@@ -51,8 +51,9 @@ bool closes_triangle(const std::vector<std::vector<bool>>& ties, std::uint32_t a
 bool FaceEngine::accept_chords(const Box& box, const Border& border,
                                std::span<const std::vector<std::uint32_t>> runs,
                                std::span<const LocalForm> forms, const Groups& groups,
-                               const Groups& feet, const Range& range, Rivals& rivals) {
+                               const Groups& feet, Rivals& rivals) {
   if (!std::ranges::all_of(runs, come_in_twos)) return false;
+  const Range& range = rivals.range();
   std::map<GroupPair, std::vector<GainPair>> pairs;
   std::vector<std::vector<bool>> ties(groups.count, std::vector<bool>(groups.count, false));
   std::vector<std::array<SiteId, 3>> parted;

@@ -4,8 +4,8 @@
 #include <array>
 #include <set>
 
-#include "face_engine.hpp"
 #include "blum/arrangement/polar_cone.hpp"
+#include "face_engine.hpp"
 #include "vertex_cone.hpp"
 
 namespace blum {

@@ -405,7 +405,8 @@ std::optional<Direction> FaceEngine::direction(std::span<const GainPair> pairs,
 }
 
 bool FaceEngine::directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                  const Range& range, Rivals& rivals, Directions& found) {
+                                  Rivals& rivals, Directions& found) {
+  const Range& range = rivals.range();
   std::vector<std::vector<GainPair>> of_group(groups.count);
   for (auto& pairs : of_group) pairs.reserve(forms.size());
   for (std::uint32_t i = 0; i < forms.size(); ++i)
@@ -460,12 +461,12 @@ bool FaceEngine::accept(const Box& box, std::span<const LocalForm> forms, const 
   const Groups ties = Groups::by_ties(context_, forms);
   const std::size_t max_groups = box.stuck % kPatience == kPatience - 1 ? kMaxStuck : kMaxGroups;
   if (ties.cliques && ties.count > max_groups) return false;
-  const Groups feet = Groups::by_feet(context_, forms, range_of(box));
+  const Range range = range_of(box);
+  const Groups feet = Groups::by_feet(context_, forms, range);
   if (context_.slices_first && !context_.voronoi() && accept_slice(box, forms, feet, border))
     return true;
   if (context_.links_first && !context_.voronoi() && accept_cone(box, forms, feet, border))
     return true;
-  const Range range = range_of(box);
   Rivals rivals(context_, forms, range);
   if (ties.cliques && accept_star(box, forms, ties, feet, border, rivals)) return true;
   if (feet.cliques && feet.count <= max_groups && feet != ties &&
@@ -495,10 +496,8 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
   if (context_.plain &&
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.size() > 2; }) > 1)
     return false;
-  const Range range = range_of(box);
   Directions directions;
-  if (!repeated &&
-      (groups.count == 1 || directions_exist(forms, groups, range, rivals, directions))) {
+  if (!repeated && (groups.count == 1 || directions_exist(forms, groups, rivals, directions))) {
     for (std::size_t c = 0; c < border.circle.size(); ++c)
       if (runs[c].size() >= 4 && !may_be_cluster(box, forms, groups, border.circle[c]))
         return false;
@@ -508,7 +507,7 @@ bool FaceEngine::accept_star(const Box& box, std::span<const LocalForm> forms, c
          directions);
     return true;
   }
-  return accept_chords(box, border, runs, forms, groups, feet, range, rivals);
+  return accept_chords(box, border, runs, forms, groups, feet, rivals);
 }
 
 bool FaceEngine::may_be_cluster(const Box& box, std::span<const LocalForm> forms,

@@ -169,7 +169,7 @@ class FaceEngine {
   /// One for each group; none for a group that ties with no other.
   using Directions = std::vector<std::optional<Direction>>;
   [[nodiscard]] bool directions_exist(std::span<const LocalForm> forms, const Groups& groups,
-                                      const Range& range, Rivals& rivals, Directions& found);
+                                      Rivals& rivals, Directions& found);
   /// Site i is to gain on site j.
   struct GainPair {
     std::uint32_t i, j;
@@ -219,7 +219,7 @@ class FaceEngine {
   [[nodiscard]] bool accept_chords(const Box& box, const Border& border,
                                    std::span<const std::vector<std::uint32_t>> runs,
                                    std::span<const LocalForm> forms, const Groups& groups,
-                                   const Groups& feet, const Range& range, Rivals& rivals);
+                                   const Groups& feet, Rivals& rivals);
   /// Voronoi diagrams, Theorem D‴: within the strip of an edge, however thin it is, towards a point
   /// of it next to its tip or, if the edge is parallel to the plane, far away.
   [[nodiscard]] std::optional<Direction> along_strip(std::span<const GainPair> pairs,

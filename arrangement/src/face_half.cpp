@@ -1,11 +1,6 @@
 #include "face_half.hpp"
 
 namespace blum {
-namespace {
-
-constexpr auto kNone = Breakpoint::kNone;
-
-}  // namespace
 
 std::optional<Half> Half::of(const Rect& half, const Rect& whole) {
   if (half.axis != whole.axis || half.level != whole.level) return std::nullopt;

@@ -47,11 +47,13 @@ class FaceEngine::HalfMap {
   void record();
 
  private:
+  static constexpr auto kNone = Breakpoint::kNone;
+
   struct Arc {
     std::uint32_t from, to;  ///< local nodes
     const FaceArc* of;       ///< that it is part of
-    /// A run on each side, or Breakpoint::kNone for the region that it shares with no run.
-    std::array<std::uint32_t, 2> run{Breakpoint::kNone, Breakpoint::kNone};
+    /// A run on each side, or kNone for the region that it shares with no run.
+    std::array<std::uint32_t, 2> run{kNone, kNone};
     std::array<SiteId, 2> sites{};  ///< a governor on each side
   };
   /// A node that may stand for a tree through which the cut passes, and the regions around it.
@@ -75,7 +77,7 @@ class FaceEngine::HalfMap {
   [[nodiscard]] std::uint32_t region_of_trace(std::uint32_t triangle) const {
     for (const FaceTrace& t : whole_.trace)
       if (t.triangle == triangle) return t.region;
-    return Breakpoint::kNone;
+    return kNone;
   }
   [[nodiscard]] bool may_govern(SiteId s, std::uint32_t region) const {
     return std::ranges::binary_search(whole_.region[region].labels, s);
@@ -112,7 +114,7 @@ class FaceEngine::HalfMap {
   std::map<std::uint32_t, std::uint32_t> region_of_element_;
   std::map<std::uint32_t, SiteId> witness_;       // of elements on sides
   std::map<std::uint32_t, std::uint32_t> local_;  // engine's node -> local
-  std::vector<std::uint32_t> id_;  // local node -> engine's, Breakpoint::kNone for inner ones
+  std::vector<std::uint32_t> id_;                 // local node -> engine's, kNone for inner ones
   enum class Where : std::uint8_t { kIn, kOut, kUnknown };
   std::vector<Where> where_;  // of the whole's nodes
   std::vector<Tree> tree_;

@@ -1,11 +1,6 @@
 #include "face_half.hpp"
 
 namespace blum {
-namespace {
-
-constexpr auto kNone = Breakpoint::kNone;
-
-}  // namespace
 
 /// Of the sites that may govern in a region of the whole, those that may in the half.
 void FaceEngine::HalfMap::find_labels() {

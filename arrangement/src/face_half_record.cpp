@@ -1,18 +1,16 @@
 #include "face_half.hpp"
 
 namespace blum {
-namespace {
-
-constexpr auto kNone = Breakpoint::kNone;
-
-}  // namespace
 
 void FaceEngine::HalfMap::record() {
   std::vector<std::uint32_t> element;  // of each run
   for (const Run& run : runs_) {
     std::vector<std::uint32_t> all = run.elements;
     for (const auto t : run.traces) all.push_back(engine_.trace_element(t));
-    for (const auto e : all) engine_.region_.unite(all.front(), e);
+    for (const auto e : all) {
+      engine_.region_.unite(all.front(), e);
+      engine_.component_.unite(all.front(), e);
+    }
     engine_.label_element(all.front(), labels_[run.region]);
     element.push_back(all.front());
   }
@@ -20,10 +18,6 @@ void FaceEngine::HalfMap::record() {
     const auto end = c + 1 < circle_.size() ? circle_[c + 1] : runs_.size();
     for (std::size_t k = circle_[c]; k < end; ++k) {
       engine_.component_.unite(element[circle_[c]], element[k]);
-      const Run& run = runs_[k];
-      for (const auto e : run.elements) engine_.component_.unite(element[k], e);
-      for (const auto t : run.traces)
-        engine_.component_.unite(element[k], engine_.trace_element(t));
       engine_.region_.unite(element[k], element[same_.find(static_cast<std::uint32_t>(k))]);
     }
   }

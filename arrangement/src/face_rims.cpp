@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "blum/arrangement/polar_cone.hpp"
 #include "blum/kernel/check.hpp"
 #include "face_engine.hpp"
-#include "blum/arrangement/polar_cone.hpp"
 #include "vertex_cone.hpp"
 
 namespace blum {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "blum/arrangement/polar_cone.hpp"
 #include "blum/kernel/closest_point.hpp"
 #include "face_engine.hpp"
 #include "fan.hpp"
-#include "blum/arrangement/polar_cone.hpp"
 
 namespace blum {
 namespace {

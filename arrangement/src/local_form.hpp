@@ -47,7 +47,7 @@ struct LocalForm {
   int side = 0;           ///< faces: sign of the height wherever the face governs; 0: not certain
   bool covers = false;    ///< every point of the range projects into the closed site (or, for a
                           ///< face, into a coplanar neighbour)
-  bool covers_side = false;  ///< and (faces) the height has the sign `side` there
+  bool covers_side = false;   ///< and (faces) the height has the sign `side` there
   std::uint32_t crossed = 0;  ///< bit k: condition k of its domain may fail somewhere in the range
 
   [[nodiscard]] const Ball& matrix(int i, int j) const { return entry(a, i, j); }

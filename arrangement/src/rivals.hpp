@@ -31,6 +31,8 @@ class Rivals {
         range_(range),
         known_(forms.size() * forms.size(), Known::kNo) {}
 
+  [[nodiscard]] const Range& range() const { return range_; }
+
   /// May forms[i] and forms[j] both govern one point of the range? False only if certain.
   [[nodiscard]] bool meet(std::size_t i, std::size_t j) {
     if (i > j) std::swap(i, j);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "blum/arrangement/brute_engine.hpp"
+#include "blum/arrangement/polar_cone.hpp"
 #include "blum/kernel/check.hpp"
 #include "group_changes.hpp"
-#include "blum/arrangement/polar_cone.hpp"
 #include "slope.hpp"
 
 namespace blum {

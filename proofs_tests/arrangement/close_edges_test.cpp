@@ -11,24 +11,23 @@
 #include "../../arrangement/src/local_form.hpp"
 #include "face_scenes.hpp"
 #include "kernel/turn_by_quaternion.hpp"
+#include "small_vectors.hpp"
 #include "terrain.hpp"
 
 namespace blum {
 namespace {
 
+using test::combined;
+using test::dot3;
 using test::log_uniform;
 using test::Random;
 using test::Scene;
 using test::uniform;
 
 __extension__ typedef __float128 Quad;
-using Vector = std::array<Quad, 3>;
+using Vector = test::SmallVector<Quad>;
 
-Vector vector(const Point3& p) { return {p.x, p.y, p.z}; }
-Quad dot3(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector combined(const Vector& a, Quad s, const Vector& b) {
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
+Vector vector(const Point3& p) { return test::vector_of<Quad>(p); }
 Vector between(const Point3& from, const Point3& to) {
   return combined(vector(to), -1, vector(from));
 }

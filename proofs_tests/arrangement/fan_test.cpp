@@ -11,24 +11,23 @@
 #include "../../arrangement/src/slope.hpp"
 #include "blum/kernel/mesh.hpp"
 #include "face_scenes.hpp"
+#include "small_vectors.hpp"
 #include "terrain.hpp"
 
 namespace blum {
 namespace {
 
+using test::combined;
+using test::dot3;
 using test::log_uniform;
 using test::Random;
 using test::Scene;
 using test::uniform;
 
 using Real = long double;
-using Vector = std::array<Real, 3>;
+using Vector = test::SmallVector<Real>;
 
-Vector vector(const Point3& p) { return {p.x, p.y, p.z}; }
-Real dot3(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector combined(const Vector& a, Real s, const Vector& b) {
-  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
+Vector vector(const Point3& p) { return test::vector_of<Real>(p); }
 Vector cross3(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -90,12 +90,7 @@ CellOutcome CellWorker::work(Cell& cell) {
                      cell.candidates.size() <= options_.max_candidates ||
                      cell.stuck % kPatience == kPatience - 1;
   if (small && !cell.to_divide) {
-    LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
-    for (const auto& inherited : cell.face)
-      if (inherited) diagrams.adopt(inherited);
-    for (const auto& whole : cell.whole)
-      if (whole) diagrams.inherit(whole);
-    cell.whole = {};
+    LocalDiagrams diagrams = diagrams_of(cell);
     const CellVerdict verdict = test(cell, diagrams, leaf);
     stats_.faces_computed += diagrams.faces_computed();
     if (verdict == CellVerdict::kAccepted && (!leaf.has_axis || fine_enough(cell))) {
@@ -109,19 +104,24 @@ CellOutcome CellWorker::work(Cell& cell) {
   return divide(cell, small);
 }
 
-/// For the sake of the cell's parts.
-void CellWorker::take_halves(Cell& cell) {
+/// Refers to the cell's lists; knows what the cell has from its parent.
+LocalDiagrams CellWorker::diagrams_of(const Cell& cell) {
   LocalDiagrams diagrams(diagrams_, solid_, cell.candidates, border(cell));
   for (const auto& inherited : cell.face)
     if (inherited) diagrams.adopt(inherited);
   for (const auto& whole : cell.whole)
     if (whole) diagrams.inherit(whole);
+  return diagrams;
+}
+
+/// For the sake of the cell's parts.
+void CellWorker::take_halves(Cell& cell) {
+  LocalDiagrams diagrams = diagrams_of(cell);
   for (int f = 0; f < 6; ++f) {
     if (!cell.whole[f] || cell.face[f]) continue;
     auto face = diagrams.face(box_face(cell.box, f));
     if (face->status == FaceStatus::kDecided) cell.face[f] = std::move(face);
   }
-  cell.whole = {};
   stats_.faces_computed += diagrams.faces_computed();
 }
 

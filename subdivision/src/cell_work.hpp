@@ -28,8 +28,8 @@ struct Cell {
   int stuck = 0;  ///< bisections since a candidate was lost
   /// Of the leaves in it that meet the axis, working units.
   double largest_diameter = std::numeric_limits<double>::infinity();
-  bool to_divide =
-      false;  ///< accepted and with axis, but to be divided: it need not be tested again
+  /// Accepted and with axis, but to be divided: it need not be tested again.
+  bool to_divide = false;
   std::vector<SiteId> candidates;
   std::vector<std::uint32_t> triangles;
   /// Decided diagrams of faces that the cell has from its parent: of the plane that cut the parent,
@@ -86,6 +86,7 @@ class CellWorker {
   }
   [[nodiscard]] bool is_beyond(const Cell& cell) const;
   [[nodiscard]] CellVerdict test(Cell& cell, LocalDiagrams& diagrams, Leaf& leaf);
+  [[nodiscard]] LocalDiagrams diagrams_of(const Cell& cell);
   void take_halves(Cell& cell);
   [[nodiscard]] bool fine_enough(const Cell& cell) const;
   [[nodiscard]] CellOutcome divide(Cell& cell, bool tested);

@@ -25,14 +25,9 @@ std::shared_ptr<const FaceDiagram> LocalDiagrams::whole_of(const Rect& rect) {
         all.v0 > rect.v0 || all.v1 < rect.v1)
       continue;
     Rect half = all;
-    (all.u0 != rect.u0   ? half.u0
-     : all.u1 != rect.u1 ? half.u1
-     : all.v0 != rect.v0 ? half.v0
-                         : half.v1) = all.u0 != rect.u0   ? rect.u0
-                                      : all.u1 != rect.u1 ? rect.u1
-                                      : all.v0 != rect.v0 ? rect.v0
-                                                          : rect.v1;
-    if (half == rect || half == all) return w;
+    for (double Rect::*end : {&Rect::u0, &Rect::u1, &Rect::v0, &Rect::v1})
+      if (half == all) half.*end = rect.*end;
+    if (half == rect) return w;
     auto d = face(half);
     if (d->status != FaceStatus::kDecided) return nullptr;
     whole_.insert(whole_.begin(), std::move(d));

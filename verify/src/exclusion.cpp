@@ -17,6 +17,15 @@ double root_bound(const Ball& square) {
   return high >= 0 ? up(std::sqrt(high)) : kInfinity;
 }
 
+/// Squared distance to a point of the segment from p to q (which may be one point), for no other
+/// point of it much less.
+Ball square_to_side(const Point3& x, const Point3& p, const Point3& q) {
+  const BallVector to = difference(x, p), side = difference(q, p);
+  const double share = dot(to, side).mid / dot(side, side).mid;
+  const BallVector r = minus(to, times(side, Ball(share >= 0 ? std::min(share, 1.0) : 0.0)));
+  return dot(r, r);
+}
+
 }  // namespace
 
 std::optional<std::array<Box3, 2>> halved(const Box3& box) {
@@ -97,19 +106,11 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
       if (sites_.covers(s, box)) v.reference.emplace_back(d, s);
     } else {
       const auto corner = sites_.shape().corners(s);
-      for (const auto a : corner)
-        for (const auto b : corner) {
-          const Point3 &p = sites_.shape().point[a], &q = sites_.shape().point[b];
-          double along = 0, length = 0;
-          for (int k = 0; k < 3; ++k) {
-            along += (v.center[k] - p[k]) * (q[k] - p[k]);
-            length += (q[k] - p[k]) * (q[k] - p[k]);
-          }
-          const Ball t(length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0.0);
-          const BallVector to = difference(v.center, p), side = difference(q, p);
-          const BallVector r = {to[0] - t * side[0], to[1] - t * side[1], to[2] - t * side[2]};
-          v.nearest = std::min(v.nearest, root_bound(dot(r, r)));
-        }
+      for (std::size_t k = 0; k < corner.size(); ++k)
+        v.nearest = std::min(
+            v.nearest,
+            root_bound(square_to_side(v.center, sites_.shape().point[corner[k]],
+                                      sites_.shape().point[corner[(k + 1) % corner.size()]])));
     }
   }
   std::ranges::sort(v.reference);

@@ -45,7 +45,8 @@ struct SubdivisionOptions {
   /// Cells may hold boundary vertices near which the axis falls apart, among other sites.
   bool split_vertices = true;
   /// Cells with more candidates are divided untested, but for some that lost none for long; 0: no
-  /// bound. The more a cell may have, the fewer leaves, and the coarser the geometry of the complex.
+  /// bound. The more a cell may have, the fewer leaves, and the coarser the geometry of the
+  /// complex.
   std::size_t max_candidates = 96;
   /// Voronoi: accept cells that one region passes through (Theorem T of docs/proofs.md).
   bool tubes = true;

@@ -13,7 +13,7 @@
 
 namespace blum {
 
-/// Glued from the diagrams of the six faces. Requires: all decided, Voronoi, from the same segment
+/// Glued from the diagrams of the six faces. Requires: all decided, Voronoi, from equal segment
 /// diagrams along common edges.
 class VoronoiSurface {
  public:
