@@ -6,6 +6,18 @@
 namespace blum {
 namespace {
 
+template <class View>
+struct Member {
+  View view;
+  GroupSet group = 0;
+};
+
+std::vector<GroupSet> bits_of(GroupSet set) {
+  std::vector<GroupSet> bits;
+  for (; set != 0; set &= set - 1) bits.push_back(set & -set);
+  return bits;
+}
+
 /// Is every point with these groups counted by a sheet or a seam of the leaf?
 class Represented {
  public:
@@ -24,8 +36,7 @@ class Represented {
   /// All sets of three or more groups in `present`.
   [[nodiscard]] bool triples(GroupSet present) const {
     if (std::popcount(present) < 3 || in_seam(present)) return true;
-    std::vector<GroupSet> bits;
-    for (GroupSet rest = present; rest != 0; rest &= rest - 1) bits.push_back(rest & -rest);
+    const std::vector<GroupSet> bits = bits_of(present);
     for (std::size_t i = 0; i < bits.size(); ++i)
       for (std::size_t j = i + 1; j < bits.size(); ++j)
         for (std::size_t k = j + 1; k < bits.size(); ++k)
@@ -43,11 +54,6 @@ class Represented {
   const LeafParts& leaf_;
 };
 
-struct Member {
-  SiteView view;
-  GroupSet group = 0;
-};
-
 }  // namespace
 
 bool TiePairs::never(SiteId a, SiteId b) {
@@ -59,10 +65,12 @@ bool TiePairs::never(SiteId a, SiteId b) {
 
 AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const LeafParts& leaf,
                         const AngleRole& role, const AngleBox& box) {
-  std::vector<Member> member;
+  std::vector<Member<GovernedView>> member;
   GroupSet present = 0;
   for (const SiteId s : box.candidates) {
-    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
+    GovernedView view = governed_view(geometry, s, box.box);
+    if (view.nowhere) continue;
+    member.push_back({std::move(view), leaf.groups.of(s)});
     present |= member.back().group;
   }
   using Kind = AngleRole::Kind;
@@ -91,14 +99,24 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
     return kItself;
   };
   const double radius = radius_of(box.box);
+  // Points of a seam have feet in three of its groups: other sites must tie with both.
+  const auto meets_a_third = [&](const Member<GovernedView>& a, const Member<GovernedView>& b) {
+    GroupSet all = a.group | b.group;
+    for (const auto& c : member)
+      if (std::popcount(all & role.a) < 3 && may_tie(a.view, c.view, radius) &&
+          may_tie(b.view, c.view, radius))
+        all |= c.group;
+    return std::popcount(all & role.a) >= 3;
+  };
   AngleBound best[3];
   for (std::size_t i = 0; i < member.size(); ++i)
     for (std::size_t j = i + 1; j < member.size(); ++j) {
-      const Member &a = member[i], &b = member[j];
+      const Member<GovernedView>&a = member[i], &b = member[j];
       const Count c = count(a.group, b.group);
       if (c == kNot) continue;
       const double hi = angle_at_most(a.view, b.view);
       if (hi <= best[c].hi || !may_tie(a.view, b.view, radius)) continue;
+      if (role.kind == Kind::kSeam && role.distinct && !meets_a_third(a, b)) continue;
       if (pairs.never(a.view.site, b.view.site)) continue;
       best[c] = {hi, a.view.site, b.view.site};
     }
@@ -106,32 +124,53 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
   return best[kBeside].hi > best[kItself].hi ? best[kBeside] : best[kItself];
 }
 
-std::optional<double> least_at_junction(const SiteGeometry& geometry, const LeafParts& leaf,
-                                        const AngleBox& box) {
-  std::vector<Member> member;
+std::optional<double> least_where_groups_meet(const SiteGeometry& geometry, const LeafParts& leaf,
+                                              const AngleBox& box, GroupSet groups, int count) {
+  std::vector<Member<SiteView>> member;
   GroupSet present = 0;
   for (const SiteId s : box.candidates) {
-    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
-    present |= member.back().group;
+    const GroupSet own = leaf.groups.of(s) & groups;
+    if (own != 0) member.push_back({view_of(geometry, s, box.box), own});
+    present |= own;
   }
-  if (std::popcount(present) != 4) return std::nullopt;
+  if (std::popcount(present) < count) return std::nullopt;
   const double radius = radius_of(box.box);
-  double largest = 0;
-  for (GroupSet g = present; g != 0; g &= g - 1)
-    for (GroupSet h = g & (g - 1); h != 0; h &= h - 1) {
-      double least = kPi;
-      bool tie = false;
-      for (const Member& a : member)
-        for (const Member& b : member) {
-          if (!(a.group & (g & -g)) || !(b.group & (h & -h)) || &a == &b) continue;
+  const std::vector<GroupSet> bit = bits_of(present);
+  // Of each two groups: the least angle between sites of them that may tie; negative: none may.
+  std::vector<std::vector<double>> least(bit.size(), std::vector<double>(bit.size(), -1));
+  for (std::size_t g = 0; g < bit.size(); ++g)
+    for (std::size_t h = 0; h < g; ++h)
+      for (const auto& a : member)
+        for (const auto& b : member) {
+          if (!(a.group & bit[g]) || !(b.group & bit[h]) || &a == &b) continue;
           if (!may_tie(a.view, b.view, radius)) continue;
-          tie = true;
-          least = std::min(least, angle_at_least(a.view, b.view));
+          const double angle = angle_at_least(a.view, b.view);
+          double& entry = least[g][h];
+          entry = entry < 0 ? angle : std::min(entry, angle);
         }
-      if (!tie) return std::nullopt;
-      largest = std::max(largest, least);
+  std::optional<double> found;
+  std::vector<std::size_t> chosen;
+  // All choices of `count` groups that tie pairwise: the largest of their angles.
+  const auto choose = [&](const auto& self, std::size_t from, double largest) -> void {
+    if (std::ssize(chosen) == count) {
+      found = found ? std::min(*found, largest) : largest;
+      return;
     }
-  return largest;
+    for (std::size_t g = from; g < bit.size(); ++g) {
+      double most = largest;
+      bool all = true;
+      for (const auto h : chosen) {
+        all = all && least[g][h] >= 0;
+        most = std::max(most, least[g][h]);
+      }
+      if (!all) continue;
+      chosen.push_back(g);
+      self(self, g + 1, most);
+      chosen.pop_back();
+    }
+  };
+  choose(choose, 0, 0);
+  return found;
 }
 
 }  // namespace blum

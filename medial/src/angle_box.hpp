@@ -42,10 +42,12 @@ struct AngleBound {
   SiteId a{}, b{};
 };
 
-/// Lower bound of the angle at any point of the box with feet in four groups, radians; nullopt:
-/// there is none.
-[[nodiscard]] std::optional<double> least_at_junction(const SiteGeometry& geometry,
-                                                      const LeafParts& leaf, const AngleBox& box);
+/// Lower bound of the angle at any point of the box with feet in `count` of `groups`, radians;
+/// nullopt: there is none.
+[[nodiscard]] std::optional<double> least_where_groups_meet(const SiteGeometry& geometry,
+                                                            const LeafParts& leaf,
+                                                            const AngleBox& box, GroupSet groups,
+                                                            int count);
 
 [[nodiscard]] AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs,
                                       const LeafParts& leaf, const AngleRole& role,

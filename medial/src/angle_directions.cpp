@@ -19,17 +19,22 @@ BallVector to_carrier(const SiteGeometry& geometry, SiteId site, const Point3& x
   return w;
 }
 
-Direction direction_of(const BallVector& w) {
-  Direction d;
-  double error = 0;
+RoundedVector rounded(const BallVector& w) {
+  RoundedVector r;
   for (int k = 0; k < 3; ++k) {
-    d.vector[k] = w[k].mid;
-    error += w[k].rad;
+    r.mid[k] = w[k].mid;
+    r.rad += w[k].rad;
   }
-  const double length = std::hypot(d.vector.x, d.vector.y, d.vector.z) * (1 - 1e-15);
-  if (error < 0.5 * length) d.error = std::asin(error / length) * (1 + 1e-12) + 1e-300;
+  return r;
+}
+
+Direction direction_of(const RoundedVector& w) {
+  Direction d{w.mid, kPi};
+  const double length = std::hypot(w.mid.x, w.mid.y, w.mid.z) * (1 - 1e-15);
+  if (w.rad < 0.5 * length) d.error = std::asin(w.rad / length) * (1 + 1e-12) + 1e-300;
   return d;
 }
+Direction direction_of(const BallVector& w) { return direction_of(rounded(w)); }
 
 /// Between the vectors as they are; errs by less than kAngleSlack.
 double angle(const Point3& a, const Point3& b) {
@@ -54,6 +59,11 @@ double angle_at_most(const Direction& a, const Direction& b) {
   return std::min(kPi, angle(a.vector, b.vector) + a.error + b.error + kAngleSlack);
 }
 
+double angle_at_most(const Fan& a, const Fan& b) {
+  if (a.spread >= kPi || b.spread >= kPi) return kPi;
+  return std::min(kPi, angle(a.axis.vector, b.axis.vector) + a.spread + b.spread + 3 * kAngleSlack);
+}
+
 double angle_at_least(const Direction& a, const Direction& b) {
   if (a.error >= kPi || b.error >= kPi) return 0;
   return std::max(0.0, angle(a.vector, b.vector) - a.error - b.error - kAngleSlack);
@@ -75,21 +85,24 @@ double radius_of(const Box3& box) {
   return std::sqrt(squared) * (1 + 1e-14) + 1e-150;
 }
 
+/// About the direction of `axis`: the least fan that holds all of those.
+Fan fan_about(const Direction& axis, std::span<const Direction> all) {
+  double spread = axis.error;
+  for (const Direction& d : all) spread = std::max(spread, angle_at_most(axis, d));
+  // Directions within less than 90 degrees of one are a convex cone.
+  return {axis, spread < 0.499 * kPi ? spread : kPi};
+}
+
 SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
   SiteView view;
   view.site = site;
   view.is_face = geometry.index().kind(site) == SiteKind::kFace;
   const Point3 c = center_of(box);
   const BallVector w = to_carrier(geometry, site, c);
-  if (view.is_face) {
-    view.at_center = direction_of(geometry.unit(site));
-    view.distance = dot(geometry.unit(site), difference(geometry.base(site), c));
-  } else {
-    view.at_center = direction_of(w);
-    view.distance = length_of(w);
-  }
+  view.distance =
+      view.is_face ? dot(geometry.unit(site), difference(geometry.base(site), c)) : length_of(w);
   view.nearest = std::max(0.0, (view.distance.low() - radius_of(box)) * (1 - 1e-15));
-  double spread = view.at_center.error;
+  std::vector<Direction> direction;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     Point3 x;
     std::size_t same = corner;  // a corner at the same place, where the box is flat
@@ -103,31 +116,71 @@ SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
       continue;
     }
     const BallVector at = to_carrier(geometry, site, x);
-    for (int k = 0; k < 3; ++k) {
-      view.to_foot[corner].mid[k] = at[k].mid;
-      view.to_foot[corner].rad += at[k].rad;
-    }
-    if (!view.is_face) spread = std::max(spread, angle_at_most(view.at_center, direction_of(at)));
+    view.to_foot[corner] = rounded(at);
+    if (!view.is_face) direction.push_back(direction_of(at));
   }
-  if (spread < 0.499 * kPi) view.spread = spread;
+  view.all = fan_about(direction_of(view.is_face ? geometry.unit(site) : w), direction);
   return view;
 }
 
 namespace {
 
-/// Upper bounds of the angle over the points that are equally far from both carriers.
-double by_normal(const SiteView& face, const SiteView& other) {
-  double least = std::numeric_limits<double>::infinity(), farthest = 0;
-  const Point3& n = face.at_center.vector;  // a unit vector up to its error
-  for (const RoundedVector& w : other.to_foot) {
+/// Of an edge: between the normals of its faces.
+Fan wedge(const SiteGeometry& geometry, SiteId edge) {
+  const auto& triangle = geometry.solid().edge[geometry.index().element(edge)].triangle;
+  BallVector sum;
+  std::vector<Direction> side;
+  for (const auto t : triangle) {
+    const BallVector& n = geometry.unit(geometry.index().face(t));
+    for (int k = 0; k < 3; ++k) sum[k] = sum[k] + n[k];
+    side.push_back(direction_of(n));
+  }
+  return fan_about(direction_of(sum), side);
+}
+
+}  // namespace
+
+GovernedView governed_view(const SiteGeometry& geometry, SiteId site, const Box3& box) {
+  GovernedView view{view_of(geometry, site, box), false, {}, {}};
+  view.fan = view.all;
+  if (view.is_face) return view;
+  const std::vector<RoundedVector> part = domain_part(geometry, site, box);
+  view.nowhere = part.empty();
+  std::vector<Direction> direction;
+  Direction axis;
+  for (const RoundedVector& x : part) {
+    RoundedVector w = rounded(to_carrier(geometry, site, x.mid));
+    w.rad += x.rad;  // projecting makes no vector longer
+    view.foot.push_back(w);
+    direction.push_back(direction_of(w));
+    const double length = std::hypot(w.mid.x, w.mid.y, w.mid.z);
+    for (int k = 0; k < 3; ++k) axis.vector[k] += length > 0 ? w.mid[k] / length : 0;
+  }
+  axis.error = 0;
+  for (const Fan& fan :
+       {fan_about(axis, direction),
+        geometry.index().kind(site) == SiteKind::kEdge ? wedge(geometry, site) : Fan{}})
+    if (fan.spread < view.fan.spread) view.fan = fan;
+  return view;
+}
+
+namespace {
+
+/// Upper bounds of the angle over the points that both govern.
+double by_normal(const GovernedView& face, const GovernedView& other) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  const Point3& n = face.all.axis.vector;  // a unit vector up to its error
+  for (const RoundedVector& w : other.foot) {
     const double length = std::hypot(w.mid.x, w.mid.y, w.mid.z) + w.rad;
     const double inner = n.x * w.mid.x + n.y * w.mid.y + n.z * w.mid.z;
-    least = std::min(least, inner - w.rad - length * (face.at_center.error + 1e-14));
-    farthest = std::max(farthest, length);
+    least = std::min(least, inner - w.rad - length * (face.all.axis.error + 1e-14));
+    most = std::max(most, angle_at_most(face.all.axis, direction_of(w)));
   }
-  // The distance is convex, so it is nowhere larger than in a corner.
-  const double cosine = least >= 0 ? least / (farthest * (1 + 1e-14)) : least / other.nearest;
-  return cosine > -1 ? std::acos(std::min(1.0, cosine)) + kAngleSlack : kPi;
+  // Directions within at most 90 degrees of n are a convex cone.
+  if (most <= 0.5 * kPi) return most;
+  if (least >= 0) return 0.5 * kPi + kAngleSlack;
+  const double cosine = least / other.nearest;
+  return cosine > -1 ? std::acos(cosine) + kAngleSlack : kPi;
 }
 
 double by_chord(const SiteView& a, const SiteView& b) {
@@ -144,14 +197,11 @@ double by_chord(const SiteView& a, const SiteView& b) {
 
 }  // namespace
 
-double angle_at_most(const SiteView& a, const SiteView& b) {
-  double most = kPi;
-  if (a.spread < kPi && b.spread < kPi)
-    most = std::min(most, angle(a.at_center.vector, b.at_center.vector) + a.spread + b.spread +
-                              3 * kAngleSlack);
+double angle_at_most(const GovernedView& a, const GovernedView& b) {
+  double most = angle_at_most(a.fan, b.fan);
   if (a.is_face && b.is_face) return most;
   if (a.is_face != b.is_face) {
-    const SiteView &face = a.is_face ? a : b, &other = a.is_face ? b : a;
+    const GovernedView &face = a.is_face ? a : b, &other = a.is_face ? b : a;
     if (other.nearest > 0) most = std::min(most, by_normal(face, other));
   }
   if (std::max(a.nearest, b.nearest) > 0) most = std::min(most, by_chord(a, b));
@@ -159,19 +209,15 @@ double angle_at_most(const SiteView& a, const SiteView& b) {
 }
 
 double angle_at_least(const SiteView& a, const SiteView& b) {
-  if (a.spread >= kPi || b.spread >= kPi) return 0;
-  return std::max(
-      0.0, angle(a.at_center.vector, b.at_center.vector) - a.spread - b.spread - 3 * kAngleSlack);
+  if (a.all.spread >= kPi || b.all.spread >= kPi) return 0;
+  return std::max(0.0, angle(a.all.axis.vector, b.all.axis.vector) - a.all.spread - b.all.spread -
+                           3 * kAngleSlack);
 }
 
 bool may_tie(const SiteView& a, const SiteView& b, double radius) {
   // On the way from the centre to the tie the carriers are not equally far: no bounds for ties
-  // here.
-  const double most = a.spread < kPi && b.spread < kPi
-                          ? std::min(kPi, angle(a.at_center.vector, b.at_center.vector) + a.spread +
-                                              b.spread + 3 * kAngleSlack)
-                          : kPi;
-  const double slope = 2 * std::sin(0.5 * most) * (1 + 1e-14) + 1e-14;
+  // here, nor of what is governed.
+  const double slope = 2 * std::sin(0.5 * angle_at_most(a.all, b.all)) * (1 + 1e-14) + 1e-14;
   const Ball gap = a.distance - b.distance;
   return std::abs(gap.mid) - gap.rad <= slope * radius + 1e-300;
 }

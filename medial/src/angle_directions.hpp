@@ -22,18 +22,12 @@
 #include <vector>
 
 #include "blum/kernel/ball.hpp"
-#include "blum/kernel/site_geometry.hpp"
+#include "domain_part.hpp"
 
 namespace blum {
 
 inline constexpr double kAngleSlack = 1e-12;
 inline constexpr double kPi = std::numbers::pi;
-
-/// A vector known up to a distance.
-struct RoundedVector {
-  Point3 mid;
-  double rad = 0;
-};
 
 /// A direction known up to an angle.
 struct Direction {
@@ -41,26 +35,41 @@ struct Direction {
   double error = kPi;  ///< radians; kPi: nothing is known
 };
 
+/// Directions within an angle of one.
+struct Fan {
+  Direction axis;
+  double spread = kPi;  ///< its error included; kPi: no bound
+};
+
 /// Of one site, over a box.
 struct SiteView {
   SiteId site;
-  Direction at_center;
-  double spread = kPi;  ///< largest angle to the direction at the centre over the box, its error
-                        ///< included; kPi: no bound
-  Ball distance;        ///< of the centre from the carrier
+  Fan all;        ///< about the direction at the centre
+  Ball distance;  ///< of the centre from the carrier
   bool is_face = false;
   std::array<RoundedVector, 8> to_foot;  ///< from the corners of the box to their feet
   double nearest = 0;                    ///< no point of the box is nearer to the carrier
+};
+
+/// Of one site, over the points of a box that it governs.
+struct GovernedView : SiteView {
+  bool nowhere = false;  ///< there are none
+  Fan fan;
+  std::vector<RoundedVector> foot;  ///< from points whose hull holds those governed; not of faces
 };
 
 /// Between two directions, radians: certified bounds in [0, pi].
 [[nodiscard]] double angle_at_most(const Direction& a, const Direction& b);
 [[nodiscard]] double angle_at_least(const Direction& a, const Direction& b);
 
-[[nodiscard]] SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box);
+[[nodiscard]] double angle_at_most(const Fan& a, const Fan& b);
 
-/// Over all points of the box that are equally far from both carriers.
-[[nodiscard]] double angle_at_most(const SiteView& a, const SiteView& b);
+[[nodiscard]] SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box);
+[[nodiscard]] GovernedView governed_view(const SiteGeometry& geometry, SiteId site,
+                                         const Box3& box);
+
+/// Over all points of the box that both govern.
+[[nodiscard]] double angle_at_most(const GovernedView& a, const GovernedView& b);
 /// Over all points of the box.
 [[nodiscard]] double angle_at_least(const SiteView& a, const SiteView& b);
 

@@ -52,8 +52,8 @@ std::optional<double> AngleWitness::on_sheet(const LeafParts& leaf, const AngleR
   Point3 w;
   for (int step = 0; step < kSteps; ++step) {
     const SiteView va = view_of(geometry_, a, {x, x}), vb = view_of(geometry_, b, {x, x});
-    if (va.spread >= kPi || vb.spread >= kPi) return std::nullopt;
-    const Point3 ua = unit(va.at_center.vector), ub = unit(vb.at_center.vector);
+    if (va.all.spread >= kPi || vb.all.spread >= kPi) return std::nullopt;
+    const Point3 ua = unit(va.all.axis.vector), ub = unit(vb.all.axis.vector);
     w = {ua.x - ub.x, ua.y - ub.y, ua.z - ub.z};
     for (int k = 0; k < 3; ++k)
       if (within.box.lo[k] == within.box.hi[k]) w[k] = 0;  // stay in a flat box
@@ -87,7 +87,8 @@ std::optional<double> AngleWitness::on_sheet(const LeafParts& leaf, const AngleR
   std::vector<SiteView> like_p, like_q;
   for (const SiteId s : near) {
     const SiteView v = view_of(geometry_, s, box);
-    const bool is_p = angle_at_most(v, first) <= kKind, is_q = angle_at_most(v, second) <= kKind;
+    const bool is_p = angle_at_most(v.all, first.all) <= kKind,
+               is_q = angle_at_most(v.all, second.all) <= kKind;
     if (is_p == is_q) return std::nullopt;  // a third kind of foot, or no two kinds
     (is_p ? like_p : like_q).push_back(v);
   }
@@ -123,7 +124,7 @@ std::optional<double> AngleWitness::on_seam(const LeafParts& leaf, const AngleRo
     if (!(leaf.groups.of(s) & role.a)) continue;
     if (distance_estimate(geometry_, s, x) > foot.distance * (1 + 1e-6)) continue;
     const SiteView v = view_of(geometry_, s, {x, x});
-    if (v.spread < kPi) direction.push_back(unit(v.at_center.vector));
+    if (v.all.spread < kPi) direction.push_back(unit(v.all.axis.vector));
   }
   // Across the seam: normal to the axis that the directions' differences are most orthogonal to.
   Point3 along;

@@ -184,6 +184,32 @@ struct LeafReader {
     leaf.arc.push_back({a, b, sheet});
   }
 
+  static void add_nodes(const FaceDiagram& face, LeafParts& leaf) {
+    const auto point = [&](double u, double v) {
+      return point_on(face.rect.axis, face.rect.level, std::clamp(u, face.rect.u0, face.rect.u1),
+                      std::clamp(v, face.rect.v0, face.rect.v1));
+    };
+    for (std::uint32_t n = 0; n < face.node.size(); ++n) {
+      const FaceNode& node = face.node[n];
+      if (node.kind != FaceNode::Kind::kEvent) continue;
+      int arcs = 0;
+      bool certain = true;
+      GroupSet groups = 0;
+      for (const FaceArc& arc : face.arc) {
+        const int ends = (arc.from == n ? 1 : 0) + (arc.to == n ? 1 : 0);
+        if (ends == 0) continue;
+        arcs += ends;
+        for (const SiteId s : {arc.left, arc.right}) {
+          const GroupSet g = leaf.groups.of(s);
+          certain = certain && std::has_single_bit(g);
+          groups |= g;
+        }
+      }
+      if (certain && arcs >= 3 && std::popcount(groups) == arcs)
+        leaf.node.push_back({{point(node.u0, node.v0), point(node.u1, node.v1)}, groups});
+    }
+  }
+
   void add_seams(const std::vector<std::uint32_t>& triangles, LeafParts& leaf) const {
     // Groups around each node, by the spoke over it.
     std::map<std::uint32_t, LeafParts::Seam> around;
@@ -228,6 +254,8 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
       list.back().groups = LeafGroups(geometry, subdivision.leaf[cone.leaf]);
       list.back().conical = cone.boundary_vertex != ComplexCone::kNone;
       list.back().junction = parts.cone_shape[c] == ConeShape::kJunction;
+      for (const auto& face : subdivision.leaf[cone.leaf].face)
+        LeafReader::add_nodes(*face, list.back());
     } else {
       list.back().junction = false;
     }

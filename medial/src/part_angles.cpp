@@ -21,8 +21,10 @@ constexpr double kDegrees = 180 / kPi;
 /// Bisections stop at boxes of this size (working units): Newton's method and the exact tests at
 /// points have done all they can long before.
 constexpr double kSmallest = 1e-9;
-constexpr int kJunctionRounds = 16;  // bisections along each axis
-constexpr std::size_t kMostJunctionBoxes = 256;
+constexpr int kMeetingRounds = 16;  // bisections along each axis
+constexpr std::size_t kMostMeetingBoxes = 256;
+/// Boxes are not cut in the middle, where symmetric models have their symmetries.
+constexpr double kCut = 0.4878;
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
 
 struct Item {
@@ -60,7 +62,12 @@ class PartBound {
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
   void add_root(std::uint32_t task);
+  void find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, int count);
   void find_junction();
+  void find_nodes();
+  [[nodiscard]] double top() const {
+    return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_);
+  }
   void divide(const Item& item);
   void seek(std::uint32_t task, const AngleBox& within, const Box3& search, const AngleBound& top);
 
@@ -137,22 +144,25 @@ std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry, const A
   return std::nullopt;
 }
 
+int longest_axis(const Box3& box) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  return axis;
+}
+
 void PartBound::divide(const Item& item) {
   const Box3& box = item.box.box;
   bool solid_box = true;
-  int axis = 0;
-  for (int k = 0; k < 3; ++k) {
-    solid_box &= box.hi[k] > box.lo[k];
-    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
-  }
+  for (int k = 0; k < 3; ++k) solid_box &= box.hi[k] > box.lo[k];
   if (solid_box)
     if (const auto v = common_vertex(geometry_, item.box)) {
       for (const Box3& facet : facets_away_from(box, geometry_.solid().point[*v]))
         add(item.task, facet, item.box.candidates);
       return;
     }
-  // Not in the middle, where symmetric models have their symmetries.
-  const double cut = box.lo[axis] + 0.4878 * (box.hi[axis] - box.lo[axis]);
+  const int axis = longest_axis(box);
+  const double cut = box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
   if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
     settled_ = std::max(settled_, item.bound.hi);
     return;
@@ -178,48 +188,57 @@ void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& sea
   }
 }
 
-/// In a leaf with the shape of a junction there is a point with feet in all four groups: the closed
-/// pieces of the leaf cover it, and on its surface they lie as the stars of a tetrahedron's corners
-/// do, so they have a common point (the lemma of Knaster, Kuratowski and Mazurkiewicz). It is in
-/// one of the boxes that may hold such points.
-void PartBound::find_junction() {
-  if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
-  if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
-  const LeafParts& parts = leaves_[tasks_[0].leaf];
-  const Leaf& leaf = subdivision_.leaf[parts.leaf];
-  std::vector<AngleBox> boxes{{leaf.box, leaf.candidates}};
-  // Few boxes hold such points when they are small.
-  for (int round = 0; round < 3 * kJunctionRounds && !stop_; ++round) {
+/// In the box there is a point with feet in `count` of the groups: it is in one of the parts that
+/// may hold such points, of which few are left when they are small.
+void PartBound::find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, int count) {
+  const LeafParts& parts = leaves_[task.leaf];
+  std::vector<AngleBox> boxes{{box, subdivision_.leaf[parts.leaf].candidates}};
+  for (int round = 0; round < 3 * kMeetingRounds && !stop_; ++round) {
     std::vector<AngleBox> halves;
     double least = kPi, most = 0;
     for (const AngleBox& b : boxes) {
-      int axis = 0;
-      for (int k = 1; k < 3; ++k)
-        if (b.box.hi[k] - b.box.lo[k] > b.box.hi[axis] - b.box.lo[axis]) axis = k;
-      const double cut = b.box.lo[axis] + 0.4878 * (b.box.hi[axis] - b.box.lo[axis]);
+      const int axis = longest_axis(b.box);
+      const double cut = b.box.lo[axis] + kCut * (b.box.hi[axis] - b.box.lo[axis]);
       for (const bool high : {false, true}) {
         AngleBox half = b;
         (high ? half.box.lo : half.box.hi)[axis] = cut;
         half.candidates = tools_.engine.prune(b.candidates, half.box.lo, half.box.hi);
         ++boxes_;
-        const auto at_least = least_at_junction(geometry_, parts, half);
+        const auto at_least = least_where_groups_meet(geometry_, parts, half, groups, count);
         if (!at_least) continue;
         least = std::min(least, *at_least);
-        most =
-            std::max(most, bound_in_box(geometry_, tools_.pairs, parts, tasks_[0].role, half).hi);
+        most = std::max(most, bound_in_box(geometry_, tools_.pairs, parts, task.role, half).hi);
         halves.push_back(std::move(half));
       }
     }
-    if (halves.empty() || halves.size() > kMostJunctionBoxes) return;
+    if (halves.empty() || halves.size() > kMostMeetingBoxes) return;
     boxes = std::move(halves);
     lo_ = std::max(lo_, least);
     if (most <= lo_ + 0.5 * tolerance_) return;
   }
 }
 
+/// In a leaf with the shape of a junction there is a point with feet in all four groups: the closed
+/// pieces of the leaf cover it, and on its surface they lie as the stars of a tetrahedron's corners
+/// do, so they have a common point (the lemma of Knaster, Kuratowski and Mazurkiewicz).
+void PartBound::find_junction() {
+  if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
+  if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
+  const LeafParts& parts = leaves_[tasks_[0].leaf];
+  find_meeting(tasks_[0], subdivision_.leaf[parts.leaf].box, parts.groups.all(), 4);
+}
+
+/// Where a seam crosses a face of its leaf, three of its groups meet.
+void PartBound::find_nodes() {
+  for (const AngleTask& t : tasks_)
+    for (const LeafParts::Node& node : leaves_[t.leaf].node)
+      if (t.role.kind == AngleRole::Kind::kSeam && t.role.distinct &&
+          (node.groups & ~t.role.a) == 0 && top() > lo_ + tolerance_)
+        find_meeting(t, node.box, node.groups, 3);
+}
+
 AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
   for (std::uint32_t t = 0; t < tasks_.size(); ++t) add_root(t);
-  const auto top = [&] { return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_); };
   for (const AngleStart& s : starts) {
     if (top() <= lo_ + tolerance_ || stop_) break;
     const AngleTask& t = tasks_[s.task];
@@ -232,6 +251,7 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
     seek(s.task, {leaf.box, leaf.candidates}, search, {0, s.a, s.b});
   }
   find_junction();
+  find_nodes();
   while (!heap_.empty() && top() > lo_ + tolerance_ && boxes_ < budget_ && !stop_) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Item item = std::move(heap_.back());

@@ -28,6 +28,7 @@ class LeafGroups {
   LeafGroups(const SiteGeometry& geometry, const Leaf& leaf);
   /// The site's groups; for sites that label nothing all of them.
   [[nodiscard]] GroupSet of(SiteId s) const;
+  [[nodiscard]] GroupSet all() const { return all_; }
 
  private:
   std::vector<std::pair<SiteId, GroupSet>> set_;  // sorted
@@ -62,8 +63,14 @@ struct LeafParts {
       return groups == certain && static_cast<std::uint32_t>(std::popcount(groups)) == arcs;
     }
   };
+  /// On a face of the leaf, where arcs meet that part as many different groups.
+  struct Node {
+    Box3 box;             ///< flat, holds a point with feet in three of the groups
+    GroupSet groups = 0;  ///< three at least
+  };
   std::vector<Arc> arc;
   std::vector<Seam> seam;
+  std::vector<Node> node;
   /// The part that counts what no sheet and no seam does: one that an apex belongs to, a node if
   /// there is one, else a seam, else a sheet.
   std::uint32_t rest = 0xffffffffu;
