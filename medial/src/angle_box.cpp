@@ -6,11 +6,17 @@
 namespace blum {
 namespace {
 
-template <class View>
 struct Member {
-  View view;
+  SiteView view;
   GroupSet group = 0;
+  std::optional<Governed> part{};  // once it is asked for
 };
+
+bool strictly_inside(const Box3& inner, const Box3& outer) {
+  for (int k = 0; k < 3; ++k)
+    if (!(inner.lo[k] > outer.lo[k] && inner.hi[k] < outer.hi[k])) return false;
+  return true;
+}
 
 std::vector<GroupSet> bits_of(GroupSet set) {
   std::vector<GroupSet> bits;
@@ -65,15 +71,18 @@ bool TiePairs::never(SiteId a, SiteId b) {
 
 AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const LeafParts& leaf,
                         const AngleRole& role, const AngleBox& box) {
-  std::vector<Member<GovernedView>> member;
+  using Kind = AngleRole::Kind;
+  // Sites that label nothing govern points on the leaf's surface at most, and these count in the
+  // rest, where there is one.
+  const bool all = role.kind == Kind::kRest ? !strictly_inside(box.box, leaf.box)
+                                            : leaf.rest == LeafParts::kNone;
+  std::vector<Member> member;
   GroupSet present = 0;
   for (const SiteId s : box.candidates) {
-    GovernedView view = governed_view(geometry, s, box.box);
-    if (view.nowhere) continue;
-    member.push_back({std::move(view), leaf.groups.of(s)});
+    if (!all && !leaf.groups.labels(s)) continue;
+    member.push_back({view_of(geometry, s, box.box), leaf.groups.of(s)});
     present |= member.back().group;
   }
-  using Kind = AngleRole::Kind;
   const Represented represented(leaf);
   if (role.kind == Kind::kArc && (!(present & role.a) || !(present & role.b))) return {};
   const bool many =
@@ -83,6 +92,10 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
   // A pair counts not at all, with others, or by itself. Two feet of a point between two groups may
   // be in one of them, but it has a foot in either.
   enum Count { kNot, kBeside, kItself };
+  const double radius = radius_of(box.box);
+  const auto alone = [&](GroupSet g, GroupSet h) {
+    return (g & h) == 0 && !represented.by_arc(g, h);
+  };
   const auto count = [&](GroupSet g, GroupSet h) {
     switch (role.kind) {
       case Kind::kArc: {
@@ -92,41 +105,47 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
       }
       case Kind::kSeam:
         if (!(g & role.a) || !(h & role.a)) return kNot;
-        return many || ((g & h) == 0 && !represented.by_arc(g, h)) ? kItself : kNot;
+        return many || alone(g, h) ? kItself : kNot;
       case Kind::kRest:
         return many || !represented.pair(g, h) ? kItself : kNot;
     }
     return kItself;
   };
-  const double radius = radius_of(box.box);
-  // Points of a seam have feet in three of its groups: other sites must tie with both.
-  const auto meets_a_third = [&](const Member<GovernedView>& a, const Member<GovernedView>& b) {
-    GroupSet all = a.group | b.group;
-    for (const auto& c : member)
-      if (std::popcount(all & role.a) < 3 && may_tie(a.view, c.view, radius) &&
+  // Of a seam with feet in three groups: other sites that may tie with both make three?
+  const auto meets_a_third = [&](const Member& a, const Member& b) {
+    GroupSet met = a.group | b.group;
+    for (const Member& c : member)
+      if (std::popcount(met & role.a) < 3 && may_tie(a.view, c.view, radius) &&
           may_tie(b.view, c.view, radius))
-        all |= c.group;
-    return std::popcount(all & role.a) >= 3;
+        met |= c.group;
+    return std::popcount(met & role.a) >= 3;
+  };
+  const auto part = [&](Member& m) -> const Governed& {
+    if (!m.part) m.part = governed(geometry, m.view, box.box);
+    return *m.part;
   };
   AngleBound best[3];
   for (std::size_t i = 0; i < member.size(); ++i)
     for (std::size_t j = i + 1; j < member.size(); ++j) {
-      const Member<GovernedView>&a = member[i], &b = member[j];
+      Member &a = member[i], &b = member[j];
       const Count c = count(a.group, b.group);
       if (c == kNot) continue;
-      const double hi = angle_at_most(a.view, b.view);
-      if (hi <= best[c].hi || !may_tie(a.view, b.view, radius)) continue;
-      if (role.kind == Kind::kSeam && role.distinct && !meets_a_third(a, b)) continue;
+      if (angle_at_most(a.view, b.view) <= best[c].hi || !may_tie(a.view, b.view, radius)) continue;
+      if (role.kind == Kind::kSeam && role.distinct && !alone(a.group, b.group) &&
+          !meets_a_third(a, b))
+        continue;
       if (pairs.never(a.view.site, b.view.site)) continue;
-      best[c] = {hi, a.view.site, b.view.site};
+      const double hi = angle_at_most(a.view, part(a), b.view, part(b));
+      if (hi > best[c].hi) best[c] = {hi, a.view.site, b.view.site};
     }
   if (best[kItself].hi == 0) return {};
   return best[kBeside].hi > best[kItself].hi ? best[kBeside] : best[kItself];
 }
 
 std::optional<double> least_where_groups_meet(const SiteGeometry& geometry, const LeafParts& leaf,
-                                              const AngleBox& box, GroupSet groups, int count) {
-  std::vector<Member<SiteView>> member;
+                                              const AngleBox& box, GroupSet groups, GroupSet must,
+                                              int count) {
+  std::vector<Member> member;
   GroupSet present = 0;
   for (const SiteId s : box.candidates) {
     const GroupSet own = leaf.groups.of(s) & groups;
@@ -153,6 +172,9 @@ std::optional<double> least_where_groups_meet(const SiteGeometry& geometry, cons
   // All choices of `count` groups that tie pairwise: the largest of their angles.
   const auto choose = [&](const auto& self, std::size_t from, double largest) -> void {
     if (std::ssize(chosen) == count) {
+      GroupSet set = 0;
+      for (const auto h : chosen) set |= bit[h];
+      if ((must & ~set) != 0) return;
       found = found ? std::min(*found, largest) : largest;
       return;
     }

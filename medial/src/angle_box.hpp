@@ -42,12 +42,12 @@ struct AngleBound {
   SiteId a{}, b{};
 };
 
-/// Lower bound of the angle at any point of the box with feet in `count` of `groups`, radians;
-/// nullopt: there is none.
+/// Lower bound of the angle at any point of the box with feet in `count` of `groups`, among them
+/// all of `must`, radians; nullopt: there is none.
 [[nodiscard]] std::optional<double> least_where_groups_meet(const SiteGeometry& geometry,
                                                             const LeafParts& leaf,
                                                             const AngleBox& box, GroupSet groups,
-                                                            int count);
+                                                            GroupSet must, int count);
 
 [[nodiscard]] AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs,
                                       const LeafParts& leaf, const AngleRole& role,

@@ -140,46 +140,46 @@ Fan wedge(const SiteGeometry& geometry, SiteId edge) {
 
 }  // namespace
 
-GovernedView governed_view(const SiteGeometry& geometry, SiteId site, const Box3& box) {
-  GovernedView view{view_of(geometry, site, box), false, {}, {}};
-  view.fan = view.all;
-  if (view.is_face) return view;
-  const std::vector<RoundedVector> part = domain_part(geometry, site, box);
-  view.nowhere = part.empty();
+Governed governed(const SiteGeometry& geometry, const SiteView& view, const Box3& box) {
+  Governed result{false, view.all, {}};
+  if (view.is_face) return result;
+  const std::vector<RoundedVector> part = domain_part(geometry, view.site, box);
+  result.nowhere = part.empty();
   std::vector<Direction> direction;
-  Direction axis;
+  Direction axis{{}, 0};
   for (const RoundedVector& x : part) {
-    RoundedVector w = rounded(to_carrier(geometry, site, x.mid));
+    RoundedVector w = rounded(to_carrier(geometry, view.site, x.mid));
     w.rad += x.rad;  // projecting makes no vector longer
-    view.foot.push_back(w);
+    result.to_foot.push_back(w);
     direction.push_back(direction_of(w));
     const double length = std::hypot(w.mid.x, w.mid.y, w.mid.z);
     for (int k = 0; k < 3; ++k) axis.vector[k] += length > 0 ? w.mid[k] / length : 0;
   }
-  axis.error = 0;
-  for (const Fan& fan :
-       {fan_about(axis, direction),
-        geometry.index().kind(site) == SiteKind::kEdge ? wedge(geometry, site) : Fan{}})
-    if (fan.spread < view.fan.spread) view.fan = fan;
-  return view;
+  const Fan about = fan_about(axis, direction);
+  if (about.spread < result.fan.spread) result.fan = about;
+  if (geometry.index().kind(view.site) != SiteKind::kEdge) return result;
+  const Fan between = wedge(geometry, view.site);
+  if (between.spread < result.fan.spread) result.fan = between;
+  return result;
 }
 
 namespace {
 
-/// Upper bounds of the angle over the points that both govern.
-double by_normal(const GovernedView& face, const GovernedView& other) {
+/// Upper bounds of the angle over the points that are equally far from both carriers. `to_foot`:
+/// from points whose hull holds them, none nearer than `nearest`, to the other site.
+double by_normal(const Direction& normal, std::span<const RoundedVector> to_foot, double nearest) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
-  const Point3& n = face.all.axis.vector;  // a unit vector up to its error
-  for (const RoundedVector& w : other.foot) {
+  const Point3& n = normal.vector;  // a unit vector up to its error
+  for (const RoundedVector& w : to_foot) {
     const double length = std::hypot(w.mid.x, w.mid.y, w.mid.z) + w.rad;
     const double inner = n.x * w.mid.x + n.y * w.mid.y + n.z * w.mid.z;
-    least = std::min(least, inner - w.rad - length * (face.all.axis.error + 1e-14));
-    most = std::max(most, angle_at_most(face.all.axis, direction_of(w)));
+    least = std::min(least, inner - w.rad - length * (normal.error + 1e-14));
+    most = std::max(most, angle_at_most(normal, direction_of(w)));
   }
   // Directions within at most 90 degrees of n are a convex cone.
   if (most <= 0.5 * kPi) return most;
   if (least >= 0) return 0.5 * kPi + kAngleSlack;
-  const double cosine = least / other.nearest;
+  const double cosine = least / nearest;
   return cosine > -1 ? std::acos(cosine) + kAngleSlack : kPi;
 }
 
@@ -197,14 +197,28 @@ double by_chord(const SiteView& a, const SiteView& b) {
 
 }  // namespace
 
-double angle_at_most(const GovernedView& a, const GovernedView& b) {
-  double most = angle_at_most(a.fan, b.fan);
+double angle_at_most(const SiteView& a, const SiteView& b) {
+  double most = angle_at_most(a.all, b.all);
   if (a.is_face && b.is_face) return most;
   if (a.is_face != b.is_face) {
-    const GovernedView &face = a.is_face ? a : b, &other = a.is_face ? b : a;
-    if (other.nearest > 0) most = std::min(most, by_normal(face, other));
+    const SiteView &face = a.is_face ? a : b, &other = a.is_face ? b : a;
+    if (other.nearest > 0)
+      most = std::min(most, by_normal(face.all.axis, other.to_foot, other.nearest));
   }
   if (std::max(a.nearest, b.nearest) > 0) most = std::min(most, by_chord(a, b));
+  return most;
+}
+
+double angle_at_most(const SiteView& a, const Governed& part_of_a, const SiteView& b,
+                     const Governed& part_of_b) {
+  if (part_of_a.nowhere || part_of_b.nowhere) return 0;
+  double most = std::min(angle_at_most(a, b), angle_at_most(part_of_a.fan, part_of_b.fan));
+  if (a.is_face != b.is_face) {
+    const SiteView &face = a.is_face ? a : b, &other = a.is_face ? b : a;
+    const Governed& part = a.is_face ? part_of_b : part_of_a;
+    if (other.nearest > 0)
+      most = std::min(most, by_normal(face.all.axis, part.to_foot, other.nearest));
+  }
   return most;
 }
 

@@ -51,11 +51,11 @@ struct SiteView {
   double nearest = 0;                    ///< no point of the box is nearer to the carrier
 };
 
-/// Of one site, over the points of a box that it governs.
-struct GovernedView : SiteView {
+/// What is left of a view where only points count that the site governs.
+struct Governed {
   bool nowhere = false;  ///< there are none
   Fan fan;
-  std::vector<RoundedVector> foot;  ///< from points whose hull holds those governed; not of faces
+  std::vector<RoundedVector> to_foot;  ///< from points whose hull holds them; not of faces
 };
 
 /// Between two directions, radians: certified bounds in [0, pi].
@@ -65,11 +65,14 @@ struct GovernedView : SiteView {
 [[nodiscard]] double angle_at_most(const Fan& a, const Fan& b);
 
 [[nodiscard]] SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box);
-[[nodiscard]] GovernedView governed_view(const SiteGeometry& geometry, SiteId site,
-                                         const Box3& box);
+[[nodiscard]] Governed governed(const SiteGeometry& geometry, const SiteView& view,
+                                const Box3& box);
 
+/// Over all points of the box that are equally far from both carriers.
+[[nodiscard]] double angle_at_most(const SiteView& a, const SiteView& b);
 /// Over all points of the box that both govern.
-[[nodiscard]] double angle_at_most(const GovernedView& a, const GovernedView& b);
+[[nodiscard]] double angle_at_most(const SiteView& a, const Governed& part_of_a, const SiteView& b,
+                                   const Governed& part_of_b);
 /// Over all points of the box.
 [[nodiscard]] double angle_at_least(const SiteView& a, const SiteView& b);
 

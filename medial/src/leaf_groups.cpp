@@ -122,9 +122,12 @@ LeafGroups::LeafGroups(const SiteGeometry& geometry, const Leaf& leaf) {
 }
 
 GroupSet LeafGroups::of(SiteId s) const {
-  const auto it = std::lower_bound(set_.begin(), set_.end(), s,
-                                   [](const auto& entry, SiteId x) { return entry.first < x; });
+  const auto it = std::ranges::lower_bound(set_, s, {}, &std::pair<SiteId, GroupSet>::first);
   return it != set_.end() && it->first == s ? it->second : all_;
+}
+
+bool LeafGroups::labels(SiteId s) const {
+  return std::ranges::binary_search(set_, s, {}, &std::pair<SiteId, GroupSet>::first);
 }
 
 PartNumbers part_numbers(const CellComplex& complex, const Parts& parts) {
@@ -192,21 +195,20 @@ struct LeafReader {
     for (std::uint32_t n = 0; n < face.node.size(); ++n) {
       const FaceNode& node = face.node[n];
       if (node.kind != FaceNode::Kind::kEvent) continue;
+      LeafParts::Node found{{point(node.u0, node.v0), point(node.u1, node.v1)}, 0, {}};
       int arcs = 0;
       bool certain = true;
-      GroupSet groups = 0;
       for (const FaceArc& arc : face.arc) {
         const int ends = (arc.from == n ? 1 : 0) + (arc.to == n ? 1 : 0);
         if (ends == 0) continue;
         arcs += ends;
-        for (const SiteId s : {arc.left, arc.right}) {
-          const GroupSet g = leaf.groups.of(s);
-          certain = certain && std::has_single_bit(g);
-          groups |= g;
-        }
+        const GroupSet g = leaf.groups.of(arc.left), h = leaf.groups.of(arc.right);
+        certain = certain && std::has_single_bit(g) && std::has_single_bit(h);
+        found.arc.push_back(g | h);
+        found.groups |= g | h;
       }
-      if (certain && arcs >= 3 && std::popcount(groups) == arcs)
-        leaf.node.push_back({{point(node.u0, node.v0), point(node.u1, node.v1)}, groups});
+      if (certain && arcs >= 3 && std::popcount(found.groups) == arcs)
+        leaf.node.push_back(std::move(found));
     }
   }
 
@@ -251,6 +253,7 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
     if (list.empty() || list.back().leaf != cone.leaf) {
       list.emplace_back();
       list.back().leaf = cone.leaf;
+      list.back().box = subdivision.leaf[cone.leaf].box;
       list.back().groups = LeafGroups(geometry, subdivision.leaf[cone.leaf]);
       list.back().conical = cone.boundary_vertex != ComplexCone::kNone;
       list.back().junction = parts.cone_shape[c] == ConeShape::kJunction;

@@ -29,6 +29,7 @@ class LeafGroups {
   /// The site's groups; for sites that label nothing all of them.
   [[nodiscard]] GroupSet of(SiteId s) const;
   [[nodiscard]] GroupSet all() const { return all_; }
+  [[nodiscard]] bool labels(SiteId s) const;
 
  private:
   std::vector<std::pair<SiteId, GroupSet>> set_;  // sorted
@@ -47,7 +48,9 @@ struct PartNumbers {
 
 /// What stands for what in one leaf.
 struct LeafParts {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t leaf = 0;
+  Box3 box;  ///< of the leaf
   LeafGroups groups;
   struct Arc {
     GroupSet a = 0, b = 0;  ///< a <= b; the sides of an arc
@@ -65,15 +68,16 @@ struct LeafParts {
   };
   /// On a face of the leaf, where arcs meet that part as many different groups.
   struct Node {
-    Box3 box;             ///< flat, holds a point with feet in three of the groups
-    GroupSet groups = 0;  ///< three at least
+    Box3 box;                   ///< flat, holds the tree of ties that the arcs are the ends of
+    GroupSet groups = 0;        ///< three at least
+    std::vector<GroupSet> arc;  ///< the groups on its two sides
   };
   std::vector<Arc> arc;
   std::vector<Seam> seam;
   std::vector<Node> node;
   /// The part that counts what no sheet and no seam does: one that an apex belongs to, a node if
   /// there is one, else a seam, else a sheet.
-  std::uint32_t rest = 0xffffffffu;
+  std::uint32_t rest = kNone;
   bool junction = false;  ///< one cone, of the shape of a junction
   bool conical = false;   ///< everything is told by the leaf's faces
 };
