@@ -62,7 +62,8 @@ class PartBound {
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
   void add_root(std::uint32_t task);
-  void find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, int count);
+  void find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, GroupSet must,
+                    int count);
   void find_junction();
   void find_nodes();
   [[nodiscard]] double top() const {
@@ -188,9 +189,10 @@ void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& sea
   }
 }
 
-/// In the box there is a point with feet in `count` of the groups: it is in one of the parts that
-/// may hold such points, of which few are left when they are small.
-void PartBound::find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, int count) {
+/// In the box there is a point with feet in `count` of the groups, in all of `must`: it is in one
+/// of the parts that may hold such points, of which few are left when they are small.
+void PartBound::find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, GroupSet must,
+                             int count) {
   const LeafParts& parts = leaves_[task.leaf];
   std::vector<AngleBox> boxes{{box, subdivision_.leaf[parts.leaf].candidates}};
   for (int round = 0; round < 3 * kMeetingRounds && !stop_; ++round) {
@@ -204,7 +206,7 @@ void PartBound::find_meeting(const AngleTask& task, const Box3& box, GroupSet gr
         (high ? half.box.lo : half.box.hi)[axis] = cut;
         half.candidates = tools_.engine.prune(b.candidates, half.box.lo, half.box.hi);
         ++boxes_;
-        const auto at_least = least_where_groups_meet(geometry_, parts, half, groups, count);
+        const auto at_least = least_where_groups_meet(geometry_, parts, half, groups, must, count);
         if (!at_least) continue;
         least = std::min(least, *at_least);
         most = std::max(most, bound_in_box(geometry_, tools_.pairs, parts, task.role, half).hi);
@@ -225,16 +227,20 @@ void PartBound::find_junction() {
   if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
   if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
   const LeafParts& parts = leaves_[tasks_[0].leaf];
-  find_meeting(tasks_[0], subdivision_.leaf[parts.leaf].box, parts.groups.all(), 4);
+  find_meeting(tasks_[0], subdivision_.leaf[parts.leaf].box, parts.groups.all(), 0, 4);
 }
 
-/// Where a seam crosses a face of its leaf, three of its groups meet.
+/// Where seams cross a face of their leaf: the node stands for a tree whose ends are its arcs, so
+/// each arc ends in a point with feet on both of its sides and in a third group.
 void PartBound::find_nodes() {
-  for (const AngleTask& t : tasks_)
-    for (const LeafParts::Node& node : leaves_[t.leaf].node)
-      if (t.role.kind == AngleRole::Kind::kSeam && t.role.distinct &&
-          (node.groups & ~t.role.a) == 0 && top() > lo_ + tolerance_)
-        find_meeting(t, node.box, node.groups, 3);
+  for (const AngleTask& t : tasks_) {
+    if (t.role.kind != AngleRole::Kind::kSeam || !t.role.distinct) continue;
+    for (const LeafParts::Node& node : leaves_[t.leaf].node) {
+      if ((node.groups & ~t.role.a) != 0) continue;
+      for (const GroupSet sides : node.arc)
+        if (top() > lo_ + tolerance_) find_meeting(t, node.box, node.groups, sides, 3);
+    }
+  }
 }
 
 AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
