@@ -163,41 +163,37 @@ std::optional<double> AngleWitness::on_seam(const LeafParts& leaf, const AngleRo
   if (d.status != FaceStatus::kDecided) return std::nullopt;
   std::vector<SiteView> view;
   for (const SiteId s : near) view.push_back(view_of(geometry_, s, {lo, hi}));
+  const auto governs = [&](std::uint32_t r, SiteId s) {
+    return std::ranges::binary_search(d.region[r].labels, s);
+  };
+  const auto between = [&](std::uint32_t r, std::uint32_t q) {
+    double least = kPi;
+    for (const SiteView& a : view)
+      for (const SiteView& b : view)
+        if (governs(r, a.site) && governs(q, b.site)) least = std::min(least, angle_at_least(a, b));
+    return least;
+  };
   double best = 0;
   for (std::uint32_t n = 0; n < d.node.size(); ++n) {
+    if (d.node[n].kind != FaceNode::Kind::kEvent) continue;
+    std::vector<std::array<std::uint32_t, 2>> sides;  // of its arcs
     std::vector<std::uint32_t> region;
-    for (const FaceArc& arc : d.arc)
-      if (arc.from == n || arc.to == n)
-        for (const auto r : arc.region)
-          if (r != FaceArc::kUnknown && std::find(region.begin(), region.end(), r) == region.end())
-            region.push_back(r);
-    if (d.node[n].kind != FaceNode::Kind::kEvent || region.size() < 3) continue;
-    const auto governs = [&](std::uint32_t r, SiteId s) {
-      const auto& labels = d.region[r].labels;
-      return std::binary_search(labels.begin(), labels.end(), s);
-    };
-    bool fits = true;
-    for (const auto r : region)
-      for (const SiteId s : d.region[r].labels) fits &= (leaf.groups.of(s) & ~role.a) == 0;
+    for (const FaceArc& arc : d.arc) {
+      if (arc.from != n && arc.to != n) continue;
+      sides.push_back(arc.region);
+      for (const auto r : arc.region)
+        if (std::ranges::find(region, r) == region.end()) region.push_back(r);
+    }
+    bool fits = region.size() >= 3 && std::ranges::find(region, FaceArc::kUnknown) == region.end();
+    GroupSet met = 0;
+    for (std::size_t k = 0; fits && k < region.size(); ++k) {
+      GroupSet own = 0;
+      for (const SiteId s : d.region[region[k]].labels) own |= leaf.groups.of(s);
+      fits = (own & ~role.a) == 0 && (own & met) == 0;
+      met |= own;
+    }
     if (!fits) continue;
-    const auto between = [&](std::uint32_t r, std::uint32_t q) {
-      double least = kPi;
-      for (const SiteView& a : view)
-        for (const SiteView& b : view)
-          if (governs(r, a.site) && governs(q, b.site))
-            least = std::min(least, angle_at_least(a, b));
-      return least;
-    };
-    const std::size_t m = region.size();
-    std::vector<double> table(m * m, 0);
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = i + 1; j < m; ++j) table[i * m + j] = between(region[i], region[j]);
-    double least = kPi;
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = i + 1; j < m; ++j)
-        for (std::size_t k = j + 1; k < m; ++k)
-          least = std::min(least, std::max({table[i * m + j], table[i * m + k], table[j * m + k]}));
-    best = std::max(best, least);
+    for (const auto& [r, q] : sides) best = std::max(best, between(r, q));
   }
   return best > 0 ? std::optional(best) : std::nullopt;
 }

@@ -29,9 +29,10 @@ class AngleWitness {
                                                SiteId a, SiteId b);
 
   /// The same for a point of the seam, looked for in `search`, a part of `within`: a small
-  /// rectangle across it whose exact diagram has a node of three or more arcs. The event in it has
-  /// feet in three of the node's regions at least; the bound is the least over all triples of
-  /// regions of the largest over their pairs.
+  /// rectangle across it whose exact diagram has a node of three or more regions, all of different
+  /// groups. The node stands for a tree whose ends are its arcs: each arc ends in a point with feet
+  /// in the regions on its two sides and in a third. The bound is the largest over the arcs of the
+  /// least angle between the two.
   [[nodiscard]] std::optional<double> on_seam(const LeafParts& leaf, const AngleRole& role,
                                               const AngleBox& within, const Box3& search);
 
