@@ -70,6 +70,15 @@ bool strictly_inside(const Box3& box, const Point3& p) {
   return true;
 }
 
+/// Of the boundary.
+std::set<std::uint32_t> vertices_in(const Solid& solid, const Leaf& leaf) {
+  std::set<std::uint32_t> vertices;
+  for (const auto t : leaf.triangles)
+    for (const auto v : solid.triangle[t].vertex)
+      if (strictly_inside(leaf.box, solid.point[v])) vertices.insert(v);
+  return vertices;
+}
+
 }  // namespace
 
 LeafGroups::LeafGroups(const SiteGeometry& geometry, const Leaf& leaf) {
@@ -85,9 +94,7 @@ LeafGroups::LeafGroups(const SiteGeometry& geometry, const Leaf& leaf) {
         components.unite(components.region(f, t.region), components.triangle(t.triangle));
       for (const FaceTracePoint& p : leaf.face[f]->trace_point) edges.insert(p.boundary_edge);
     }
-    for (const auto t : leaf.triangles)
-      for (const auto v : solid.triangle[t].vertex)
-        if (strictly_inside(leaf.box, solid.point[v])) vertices.insert(v);
+    vertices = vertices_in(solid, leaf);
     for (const auto v : vertices)
       for (const auto e : solid.edges_at(v)) edges.insert(e);
   }
@@ -187,28 +194,48 @@ struct LeafReader {
     leaf.arc.push_back({a, b, sheet});
   }
 
+  /// Counts an end of an arc between two sites at the node; false: it may be one of several groups.
+  static bool add_end(SiteId a, SiteId b, const LeafGroups& groups, LeafParts::Node& node) {
+    const GroupSet g = groups.of(a), h = groups.of(b);
+    node.arc.push_back(g | h);
+    node.groups |= g | h;
+    return std::has_single_bit(g) && std::has_single_bit(h);
+  }
+  static void keep(LeafParts::Node node, LeafParts& leaf) {
+    if (node.arc.size() >= 3 && std::cmp_equal(std::popcount(node.groups), node.arc.size()))
+      leaf.node.push_back(std::move(node));
+  }
+
   static void add_nodes(const FaceDiagram& face, LeafParts& leaf) {
     const auto point = [&](double u, double v) {
       return point_on(face.rect.axis, face.rect.level, std::clamp(u, face.rect.u0, face.rect.u1),
                       std::clamp(v, face.rect.v0, face.rect.v1));
     };
     for (std::uint32_t n = 0; n < face.node.size(); ++n) {
-      const FaceNode& node = face.node[n];
-      if (node.kind != FaceNode::Kind::kEvent) continue;
-      LeafParts::Node found{{point(node.u0, node.v0), point(node.u1, node.v1)}, 0, {}};
-      int arcs = 0;
+      const FaceNode& at = face.node[n];
+      if (at.kind != FaceNode::Kind::kEvent) continue;
+      LeafParts::Node node;
+      node.box = {point(at.u0, at.v0), point(at.u1, at.v1)};
       bool certain = true;
-      for (const FaceArc& arc : face.arc) {
-        const int ends = (arc.from == n ? 1 : 0) + (arc.to == n ? 1 : 0);
-        if (ends == 0) continue;
-        arcs += ends;
-        const GroupSet g = leaf.groups.of(arc.left), h = leaf.groups.of(arc.right);
-        certain = certain && std::has_single_bit(g) && std::has_single_bit(h);
-        found.arc.push_back(g | h);
-        found.groups |= g | h;
+      for (const FaceArc& arc : face.arc)
+        for (const auto end : {arc.from, arc.to})
+          if (end == n) certain &= add_end(arc.left, arc.right, leaf.groups, node);
+      if (certain) keep(std::move(node), leaf);
+    }
+  }
+
+  static void add_corners(const SiteGeometry& geometry, const Leaf& in, LeafParts& leaf) {
+    const Solid& solid = geometry.solid();
+    for (const auto v : vertices_in(solid, in)) {
+      LeafParts::Node node;
+      node.vertex = v;
+      bool certain = true;
+      for (const auto e : solid.edges_at(v)) {
+        const auto& [t, u] = solid.edge[e].triangle;
+        if (solid.edge[e].kind == EdgeKind::kConvex)
+          certain &= add_end(geometry.index().face(t), geometry.index().face(u), leaf.groups, node);
       }
-      if (certain && arcs >= 3 && std::popcount(found.groups) == arcs)
-        leaf.node.push_back(std::move(found));
+      if (certain) keep(std::move(node), leaf);
     }
   }
 
@@ -259,6 +286,8 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
       list.back().junction = parts.cone_shape[c] == ConeShape::kJunction;
       for (const auto& face : subdivision.leaf[cone.leaf].face)
         LeafReader::add_nodes(*face, list.back());
+      if (!list.back().conical)
+        LeafReader::add_corners(geometry, subdivision.leaf[cone.leaf], list.back());
     } else {
       list.back().junction = false;
     }

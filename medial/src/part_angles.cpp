@@ -23,6 +23,7 @@ constexpr double kDegrees = 180 / kPi;
 constexpr double kSmallest = 1e-9;
 constexpr int kMeetingRounds = 16;  // bisections along each axis
 constexpr std::size_t kMostMeetingBoxes = 256;
+constexpr int kShrinkings = 20;  // of a box about a vertex
 /// Boxes are not cut in the middle, where symmetric models have their symmetries.
 constexpr double kCut = 0.4878;
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
@@ -62,9 +63,10 @@ class PartBound {
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
   void add_root(std::uint32_t task);
-  void find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, GroupSet must,
-                    int count);
+  void find_meeting(const AngleTask& task, std::vector<AngleBox> boxes, GroupSet groups,
+                    GroupSet must, int count);
   void find_junction();
+  [[nodiscard]] std::vector<AngleBox> around(std::uint32_t vertex, const Leaf& leaf);
   void find_nodes();
   [[nodiscard]] double top() const {
     return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_);
@@ -189,12 +191,11 @@ void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& sea
   }
 }
 
-/// In the box there is a point with feet in `count` of the groups, in all of `must`: it is in one
+/// In the boxes there is a point with feet in `count` of the groups, in all of `must`: it is in one
 /// of the parts that may hold such points, of which few are left when they are small.
-void PartBound::find_meeting(const AngleTask& task, const Box3& box, GroupSet groups, GroupSet must,
-                             int count) {
+void PartBound::find_meeting(const AngleTask& task, std::vector<AngleBox> boxes, GroupSet groups,
+                             GroupSet must, int count) {
   const LeafParts& parts = leaves_[task.leaf];
-  std::vector<AngleBox> boxes{{box, subdivision_.leaf[parts.leaf].candidates}};
   for (int round = 0; round < 3 * kMeetingRounds && !stop_; ++round) {
     std::vector<AngleBox> halves;
     double least = kPi, most = 0;
@@ -227,18 +228,48 @@ void PartBound::find_junction() {
   if (tasks_.size() != 1 || !leaves_[tasks_[0].leaf].junction) return;
   if (tasks_[0].role.kind != AngleRole::Kind::kRest) return;
   const LeafParts& parts = leaves_[tasks_[0].leaf];
-  find_meeting(tasks_[0], subdivision_.leaf[parts.leaf].box, parts.groups.all(), 0, 4);
+  const Leaf& leaf = subdivision_.leaf[parts.leaf];
+  find_meeting(tasks_[0], {{leaf.box, leaf.candidates}}, parts.groups.all(), 0, 4);
 }
 
-/// Where seams cross a face of their leaf: the node stands for a tree whose ends are its arcs, so
-/// each arc ends in a point with feet on both of its sides and in a third group.
+/// The surface of a box about a vertex of the solid, so small that all candidates have it: there
+/// the axis is a cone about it (Theorem B). Empty: none was found.
+std::vector<AngleBox> PartBound::around(std::uint32_t vertex, const Leaf& leaf) {
+  const Point3& v = geometry_.solid().point[vertex];
+  double reach = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+    reach = std::min({reach, 0.5 * (v[k] - leaf.box.lo[k]), 0.5 * (leaf.box.hi[k] - v[k])});
+  for (int round = 0; round < kShrinkings; ++round, reach *= 0.5) {
+    Box3 box;
+    for (int k = 0; k < 3; ++k) {
+      box.lo[k] = v[k] - reach;
+      box.hi[k] = v[k] + reach;
+    }
+    const auto near = tools_.engine.prune(leaf.candidates, box.lo, box.hi);
+    if (!std::ranges::all_of(near, [&](SiteId s) { return geometry_.has_corner(s, vertex); }))
+      continue;
+    std::vector<AngleBox> surface;
+    for (const Box3& facet : facets_away_from(box, v)) surface.push_back({facet, near});
+    return surface;
+  }
+  return {};
+}
+
+/// Where seams cross a face of their leaf, or begin at a vertex of the solid: the node stands for a
+/// tree whose ends are its arcs, so each arc ends in a point with feet on both of its sides and in
+/// a third group. About a vertex: the arc that begins on a convex edge cannot end on another, which
+/// would be between the same two groups.
 void PartBound::find_nodes() {
   for (const AngleTask& t : tasks_) {
     if (t.role.kind != AngleRole::Kind::kSeam || !t.role.distinct) continue;
+    const Leaf& leaf = subdivision_.leaf[leaves_[t.leaf].leaf];
     for (const LeafParts::Node& node : leaves_[t.leaf].node) {
-      if ((node.groups & ~t.role.a) != 0) continue;
+      if ((node.groups & ~t.role.a) != 0 || !(top() > lo_ + tolerance_)) continue;
+      const std::vector<AngleBox> boxes = node.vertex == LeafParts::Node::kNone
+                                              ? std::vector<AngleBox>{{node.box, leaf.candidates}}
+                                              : around(node.vertex, leaf);
       for (const GroupSet sides : node.arc)
-        if (top() > lo_ + tolerance_) find_meeting(t, node.box, node.groups, sides, 3);
+        if (top() > lo_ + tolerance_) find_meeting(t, boxes, node.groups, sides, 3);
     }
   }
 }

@@ -66,11 +66,14 @@ struct LeafParts {
       return groups == certain && static_cast<std::uint32_t>(std::popcount(groups)) == arcs;
     }
   };
-  /// On a face of the leaf, where arcs meet that part as many different groups.
+  /// Where arcs meet that part as many different groups: on a face of the leaf, or about a vertex
+  /// of the solid inside it where as many convex edges meet.
   struct Node {
-    Box3 box;                   ///< flat, holds the tree of ties that the arcs are the ends of
-    GroupSet groups = 0;        ///< three at least
-    std::vector<GroupSet> arc;  ///< the groups on its two sides
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    std::uint32_t vertex = kNone;  ///< of the solid
+    Box3 box;                      ///< else: flat, holds the tree of ties that the arcs are ends of
+    GroupSet groups = 0;           ///< three at least
+    std::vector<GroupSet> arc;     ///< the groups on its two sides
   };
   std::vector<Arc> arc;
   std::vector<Seam> seam;
