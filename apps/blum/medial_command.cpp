@@ -386,12 +386,14 @@ void add_medial_options(CLI::App* medial, MedialArguments& arguments) {
   medial->add_option("--theta-csv", arguments.theta_csv, "Write that table to this file, as CSV")
       ->needs(table);
   medial
-      ->add_option("--angle-tolerance", arguments.angles.tolerance_deg,
-                   "Degrees between the bounds of a part's angle, where the budget suffices")
+      ->add_option(
+          "--angle-tolerance", arguments.angles.tolerance_deg,
+          "Degrees between the bounds of a part's angle; leaves that are too coarse to tell "
+          "are divided")
       ->capture_default_str();
   medial
-      ->add_option("--angle-budget", arguments.angles.boxes_per_part,
-                   "Boxes to look at for each part")
+      ->add_option("--angle-budget", arguments.angles.boxes_per_leaf,
+                   "Boxes to look at for each part, times the leaves that it is in")
       ->check(kDigits)
       ->capture_default_str();
 }

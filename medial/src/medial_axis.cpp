@@ -157,6 +157,44 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
   }
 }
 
+/// Boxes for each leaf of a part that say whether the leaf is too coarse.
+constexpr std::size_t kFirstLook = 1000;
+
+/// Content with leaves where the review is and separation angles are within their tolerance.
+struct AngleReview {
+  const AxisReview& review;
+  const AngleOptions& options;
+  int rounds = 0;
+  std::optional<PartAngles> last{};  ///< of the axis seen last
+  bool whole = false;                ///< and not only a first look
+  double seconds = 0;
+
+  ReviewVerdict operator()(const AssembledAxis& axis) {
+    last.reset();
+    ReviewVerdict verdict = review ? review(axis) : ReviewVerdict{};
+    if (!options.wanted || verdict.go_back || !verdict.divide.empty() || axis.undecided)
+      return verdict;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto bound = [&](std::size_t boxes) {
+      whole = boxes == options.boxes_per_leaf;
+      AngleOptions used = options;
+      used.boxes_per_leaf = boxes;
+      last = part_angles(axis.geometry, axis.subdivision, axis.engines, axis.complex, axis.parts,
+                         used);
+    };
+    const bool first = rounds++ < options.refinements && options.boxes_per_leaf > kFirstLook;
+    if (first) bound(kFirstLook);
+    whole = whole || (first && last->wide == 0);
+    if (first && last->wide > 0 && !last->coarse_leaves.empty())
+      verdict.divide = last->coarse_leaves;
+    else if (!first || last->wide > 0)
+      bound(options.boxes_per_leaf);
+    seconds += seconds_since(begin);
+    verdict.fine_enough = {};
+    return verdict;
+  }
+};
+
 Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
                              const AngleOptions& angles, const CertificateSink& certificate,
                              const AxisReview& review, DiagramKind kind) {
@@ -208,11 +246,12 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (watch.remaining_s() > 2 * extension) watch.extend(-extension);
   result.time.assemble_s = seconds_since(middle);
   std::optional<ReviewVerdict> verdict;
-  if (review && !assembly.stopped) {
+  AngleReview bounded{review, angles};
+  if ((review || angles.wanted) && !assembly.stopped) {
     const double finish = std::max(
         0.0, std::min(kFinish * result.time.assemble_s, kMostFinish * watch.remaining_s()));
     watch.extend(-finish);
-    verdict = review_and_refine(geometry, used, engines, review, result.time.assemble_s,
+    verdict = review_and_refine(geometry, used, engines, std::ref(bounded), result.time.assemble_s,
                                 subdivided.value(), assembly);
     watch.extend(finish);
   }
@@ -224,7 +263,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     return Error{ErrorCode::kInterrupted, "interrupted during assembly", "", {}};
   const auto late = std::chrono::steady_clock::now();
   report_leaves(solid.frame, subdivided.value(), assembly, stop, result);
-  if (verdict) result.hausdorff_bound = verdict->hausdorff_bound;
+  if (verdict && review) result.hausdorff_bound = verdict->hausdorff_bound;
   result.complex = std::move(assembly.complex);
   result.parts = read_parts(result.complex);
   result.certified = result.undecided.empty() && !assembly.stopped;
@@ -249,11 +288,13 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   result.time.assemble_s += seconds_since(late);
   if (angles.wanted) {
     const auto begin = std::chrono::steady_clock::now();
-    result.angles =
-        part_angles(geometry, subdivided.value(), engines, result.complex, result.parts, angles);
+    result.angles = bounded.last && bounded.whole
+                        ? std::move(*bounded.last)
+                        : part_angles(geometry, subdivided.value(), engines, result.complex,
+                                      result.parts, angles);
     result.filtration = filter(result.complex, result.parts,
                                cell_costs(result.complex, result.parts, *result.angles));
-    result.time.angles_s = seconds_since(begin);
+    result.time.angles_s = seconds_since(begin) + bounded.seconds;
     watch.rethrow();
     if (watch.look() == Stop::kInterrupted)
       return Error{ErrorCode::kInterrupted, "interrupted while bounding angles", "", {}};

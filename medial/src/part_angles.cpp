@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "angle_plan.hpp"
 #include "angle_witness.hpp"
@@ -23,6 +25,7 @@ constexpr double kDegrees = 180 / kPi;
 constexpr double kSmallest = 1e-9;
 constexpr int kMeetingRounds = 16;  // bisections along each axis
 constexpr std::size_t kMostMeetingBoxes = 256;
+constexpr double kSmall = 1e-3;  // a box that should tell, as part of its leaf
 constexpr int kShrinkings = 20;  // of a box about a vertex
 /// Boxes are not cut in the middle, where symmetric models have their symmetries.
 constexpr double kCut = 0.4878;
@@ -52,13 +55,15 @@ class PartBound {
         leaves_(leaves),
         tasks_(tasks),
         tolerance_(options.tolerance_deg / kDegrees),
-        budget_(options.boxes_per_part),
+        budget_(options.boxes_per_leaf * tasks.size()),
         stop_(stop),
         tools_(tools) {}
 
   /// Starts: where witnesses are looked for first.
   [[nodiscard]] AngleInterval run(const std::vector<AngleStart>& starts);
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
+  /// Where small boxes are left whose angles are not known; once run() has ended.
+  [[nodiscard]] std::set<std::uint32_t> coarse_leaves() const;
 
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
@@ -84,7 +89,7 @@ class PartBound {
   Tools& tools_;
   std::vector<Item> heap_;
   double lo_ = 0;
-  double settled_ = 0;  // bound of boxes that are not looked at any more
+  std::vector<Item> settled_;  // boxes that are not looked at any more
   std::size_t boxes_ = 0;
   int idle_ = 0;  // boxes since the last better witness
 };
@@ -167,7 +172,7 @@ void PartBound::divide(const Item& item) {
   const int axis = longest_axis(box);
   const double cut = box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
   if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
-    settled_ = std::max(settled_, item.bound.hi);
+    settled_.push_back(item);
     return;
   }
   Box3 low = box, high = box;
@@ -299,9 +304,22 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
       seek(item.task, item.box, item.box.box, item.bound);
     divide(item);
   }
-  const double hi = std::max(top(), settled_);
+  double hi = top();
+  for (const Item& item : settled_) hi = std::max(hi, item.bound.hi);
   // The conversion errs by less than 4 ulp of 180.
   return {std::max(0.0, lo_ * kDegrees - 1e-12), std::min(180.0, hi * kDegrees + 1e-12)};
+}
+
+std::set<std::uint32_t> PartBound::coarse_leaves() const {
+  std::set<std::uint32_t> leaves;
+  for (const auto& items : {std::span(settled_), std::span(heap_)})
+    for (const Item& item : items) {
+      const auto leaf = leaves_[tasks_[item.task].leaf].leaf;
+      if (item.bound.hi > lo_ + tolerance_ &&
+          radius_of(item.box.box) < kSmall * radius_of(subdivision_.leaf[leaf].box))
+        leaves.insert(leaf);
+    }
+  return leaves;
 }
 
 }  // namespace
@@ -316,6 +334,7 @@ PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivis
 
   std::vector<AngleInterval> interval(number.count(), {0, 0});
   std::vector<std::size_t> boxes(number.count(), 0);
+  std::vector<std::set<std::uint32_t>> coarse(number.count());
   std::vector<Tools> tools;
   for (int t = 0; t < engines.threads(); ++t) {
     ProductionEngine& engine = engines.production(t);
@@ -328,6 +347,7 @@ PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivis
                     tools[static_cast<std::size_t>(thread)]);
     interval[p] = bound.run(plan.starts[p]);
     boxes[p] = bound.boxes();
+    if (interval[p].width() > options.tolerance_deg) coarse[p] = bound.coarse_leaves();
   });
 
   PartAngles angles;
@@ -339,14 +359,21 @@ PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivis
     angles.vertex.push_back(vertex.part[v] == VertexParts::kNone ? AngleInterval{0, 0}
                                                                  : interval[vertex.part[v]]);
   for (const auto n : boxes) angles.boxes += n;
-  const auto count = [&](const AngleInterval& i) {
-    angles.widest_deg = std::max(angles.widest_deg, i.width());
-    angles.wide += i.width() > options.tolerance_deg ? 1 : 0;
+  std::vector<std::uint32_t> wide;  // parts
+  const auto count = [&](std::uint32_t part) {
+    const double width = interval[part].width();
+    angles.widest_deg = std::max(angles.widest_deg, width);
+    if (width > options.tolerance_deg) wide.push_back(part);
   };
-  for (const auto& i : angles.sheet) count(i);
-  for (const auto& i : angles.seam) count(i);
+  for (std::uint32_t p = 0; p < number.sheets + number.seams; ++p) count(p);
   for (std::uint32_t c = 0; c < complex.cone.size(); ++c)
-    if (parts.cone_shape[c] == ConeShape::kJunction) count(angles.vertex[complex.cone[c].apex]);
+    if (parts.cone_shape[c] == ConeShape::kJunction) count(vertex.part[complex.cone[c].apex]);
+  angles.wide = wide.size();
+  std::ranges::stable_sort(wide, std::greater(), [&](auto p) { return interval[p].width(); });
+  std::set<std::uint32_t> listed;
+  for (const auto p : wide)
+    for (const auto leaf : coarse[p])
+      if (listed.insert(leaf).second) angles.coarse_leaves.push_back(leaf);
   return angles;
 }
 

@@ -325,6 +325,114 @@ TEST(SeparationAngles, Tolerance_IsReachedOrReported) {
   }
 }
 
+/// The largest angle between the normals of the governors that are faces.
+double angle_of_faces(const Solid& solid, const std::vector<SiteId>& governors) {
+  const SiteGeometry geometry(solid);
+  std::vector<LongPoint> normal;
+  for (const SiteId s : governors)
+    if (geometry.index().kind(s) == SiteKind::kFace) {
+      const BallVector& n = geometry.unit(s);
+      normal.push_back({n[0].mid, n[1].mid, n[2].mid});
+    }
+  return widest(normal);
+}
+
+// A box has angles of 0 (between parts of a facet), 90 and 180 degrees only. Turned and
+// triangulated its facets are parts that are no longer in a plane: seams begin at its corners with
+// many arcs, and sites of no width are there that label nothing.
+TEST(SeparationAngles, TurnedBox_HasTheAnglesOfItsFacets) {
+  std::size_t corners = 0;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    SCOPED_TRACE(seed);
+    const PolygonMesh mesh = shapes::rotate_rounded(
+        shapes::triangulate_facets(shapes::split_edges(shapes::cuboid(1, 1.25, 2), seed), seed),
+        seed);
+    const Solid solid = test::solid_of(mesh);
+    const MedialResult r = angled(mesh, 0, seed);
+    EXPECT_EQ(r.angles->wide, 0u);
+    std::vector<double> sheet(r.angles->sheet.size(), 0), seam(r.angles->seam.size(), 0);
+    for (std::size_t t = 0; t < r.complex.triangle.size(); ++t) {
+      const auto& g = r.complex.triangle[t].governors;
+      double& most = sheet[r.parts.triangle_sheet[t]];
+      most = std::max(most, angle_of_faces(solid, {g[0], g[1]}));
+    }
+    for (std::size_t e = 0; e < r.complex.edge.size(); ++e) {
+      if (r.parts.edge_seam[e] == Parts::kNoSeam) continue;
+      for (const auto v : r.complex.edge[e].vertex) {
+        const ComplexVertex& x = r.complex.vertex[v];
+        double& most = seam[r.parts.edge_seam[e]];
+        if (x.kind == ComplexVertex::Kind::kEvent)
+          most = std::max(most, angle_of_faces(solid, x.governors));
+        corners += x.kind == ComplexVertex::Kind::kBoundary;
+      }
+    }
+    const auto is_one = [](double x, double below, double above) {
+      return std::ranges::any_of(std::array{0.0, 90.0, 180.0},
+                                 [&](double v) { return x >= v - below && x <= v + above; });
+    };
+    constexpr double kSlack = 1e-4;  // of the plain computation, near 180 degrees
+    for (std::size_t s = 0; s < sheet.size(); ++s) {
+      EXPECT_GE(r.angles->sheet[s].hi, sheet[s] - kSlack);
+      EXPECT_LE(r.angles->sheet[s].lo, sheet[s] + kSlack);
+    }
+    for (std::size_t s = 0; s < seam.size(); ++s) {
+      EXPECT_GE(r.angles->seam[s].hi, seam[s] - kSlack);
+      EXPECT_TRUE(is_one(r.angles->seam[s].lo, 1, 1e-6)) << r.angles->seam[s].lo;
+      EXPECT_TRUE(is_one(r.angles->seam[s].hi, 1e-6, 1)) << r.angles->seam[s].hi;
+      // Seams from corners have no face of a leaf on them.
+      if (seam[s] > 0) EXPECT_LE(r.angles->seam[s].lo, seam[s] + kSlack);
+    }
+  }
+  EXPECT_GT(corners, 20u);
+}
+
+// Leaves that are too coarse to say which part a point belongs to are divided.
+TEST(SeparationAngles, CoarseLeaves_AreDivided) {
+  const PolygonMesh mesh = shapes::lpocket();
+  AngleOptions a;
+  a.wanted = true;
+  std::array<std::size_t, 2> wide{}, leaves{};
+  for (const int rounds : {0, 6}) {
+    a.refinements = rounds;
+    const auto r = compute_medial_axis(test::solid_of(mesh), test::seeded(1), a);
+    ASSERT_TRUE(r && r.value().certified);
+    wide[rounds > 0 ? 1 : 0] = r.value().angles->wide;
+    leaves[rounds > 0 ? 1 : 0] = r.value().leaves;
+  }
+  EXPECT_GT(wide[0], 0u);
+  EXPECT_EQ(wide[1], 0u);
+  EXPECT_GT(leaves[1], leaves[0]);
+}
+
+std::vector<std::pair<std::string, PolygonMesh>> angle_sweep() {
+  std::vector<std::pair<std::string, PolygonMesh>> list;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const auto turned = [&](const PolygonMesh& m) {
+      return shapes::rotate_rounded(shapes::triangulate_facets(m, seed), seed);
+    };
+    list.emplace_back("plate_2_6", turned(shapes::plate(2, 6)));
+    list.emplace_back("plate_4", turned(shapes::plate(4, 4)));
+    list.emplace_back("lpocket", turned(shapes::lpocket()));
+    list.emplace_back("prism_8", turned(shapes::prism(8)));
+  }
+  list.emplace_back("voids_2", shapes::nested_voids(2));
+  list.emplace_back("torus_8_4", shapes::torus(8, 4, 3, 1));
+  return list;
+}
+
+// What is asked for is reached on nearly all parts, with the geometry of 3 % and without.
+TEST(SweepSeparationAngles, Tolerance_IsReached) {
+  for (const auto& [name, mesh] : angle_sweep())
+    for (const double epsilon : {0.0, 0.03}) {
+      SCOPED_TRACE(name + " " + std::to_string(epsilon));
+      const MedialResult r = angled(mesh, epsilon);
+      const std::size_t parts = r.angles->sheet.size() + r.angles->seam.size();
+      std::cout << name << " epsilon " << epsilon << ": " << r.angles->wide << " of " << parts
+                << " parts wider, the widest " << r.angles->widest_deg << std::endl;
+      EXPECT_LE(50 * r.angles->wide, parts);
+    }
+}
+
 TEST(SeparationAngles, Threads_DoNotMatter) {
   MedialOptions o = test::seeded(1);
   AngleOptions a;

@@ -14,7 +14,7 @@ const std::vector<double> kAngles{0, 30, 60, 89, 91, 120, 150, 180};
 MedialResult angled(const PolygonMesh& mesh) {
   AngleOptions a;
   a.wanted = true;
-  a.boxes_per_part = 100;
+  a.boxes_per_leaf = 100;
   return compute_medial_axis(test::solid_of(mesh), test::seeded(1), a).value();
 }
 

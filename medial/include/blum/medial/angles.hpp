@@ -29,8 +29,11 @@ struct AngleInterval {
 
 struct AngleOptions {
   bool wanted = false;
-  double tolerance_deg = 1;          ///< a part is refined until its interval is as narrow
-  std::size_t boxes_per_part = 500;  ///< or so many boxes have been looked at
+  double tolerance_deg = 1;            ///< a part is refined until its interval is as narrow
+  std::size_t boxes_per_leaf = 10000;  ///< or so many boxes looked at for each leaf that it is in
+  /// Where small boxes tell nothing it is the leaf that is too coarse to say which part a point
+  /// belongs to: so many times such leaves are divided, and all parts bounded anew.
+  int refinements = 6;
   /// Degrees: the certificate, where one is written, holds the collapses of values below this, as
   /// simplified() by Simplify::kHomotopy has them. Requires `wanted`.
   std::optional<double> certified_theta_deg{};
@@ -45,6 +48,8 @@ struct PartAngles {
   double widest_deg = 0;      ///< over all sheets, seams and nodes but clusters
   std::size_t wide = 0;       ///< of these, the parts wider than the tolerance
   std::size_t boxes = 0;      ///< looked at
+  /// Of the wide parts, the leaves where small boxes told nothing, that of the widest part first.
+  std::vector<std::uint32_t> coarse_leaves;
 };
 
 /// The cost of each cell: the upper bound of the part it belongs to. Convex boundary edges, which
