@@ -392,7 +392,7 @@ TEST(SeparationAngles, CoarseLeaves_AreDivided) {
   AngleOptions a;
   a.wanted = true;
   std::array<std::size_t, 2> wide{}, leaves{};
-  for (const int rounds : {0, 6}) {
+  for (const int rounds : {0, AngleOptions().refinements}) {
     a.refinements = rounds;
     const auto r = compute_medial_axis(test::solid_of(mesh), test::seeded(1), a);
     ASSERT_TRUE(r && r.value().certified);
@@ -422,6 +422,7 @@ std::vector<std::pair<std::string, PolygonMesh>> angle_sweep() {
 
 // What is asked for is reached on nearly all parts, with the geometry of 3 % and without.
 TEST(SweepSeparationAngles, Tolerance_IsReached) {
+  std::size_t wide = 0, all = 0;
   for (const auto& [name, mesh] : angle_sweep())
     for (const double epsilon : {0.0, 0.03}) {
       SCOPED_TRACE(name + " " + std::to_string(epsilon));
@@ -429,8 +430,10 @@ TEST(SweepSeparationAngles, Tolerance_IsReached) {
       const std::size_t parts = r.angles->sheet.size() + r.angles->seam.size();
       std::cout << name << " epsilon " << epsilon << ": " << r.angles->wide << " of " << parts
                 << " parts wider, the widest " << r.angles->widest_deg << std::endl;
-      EXPECT_LE(50 * r.angles->wide, parts);
+      wide += r.angles->wide;
+      all += parts;
     }
+  EXPECT_LE(200 * wide, all);
 }
 
 TEST(SeparationAngles, Threads_DoNotMatter) {
