@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);  // CGAL explains its failures there
   const rlimit memory{memory_bytes, memory_bytes}, no_core{0, 0};
-  setrlimit(RLIMIT_AS, &memory);
+  if (memory_bytes > 0) setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CORE, &no_core);
   execv(arguments[0], arguments);
   _exit(127);

@@ -17,7 +17,8 @@ class HelperProcess {
   enum class Failure : std::uint8_t { kNone, kTimeout, kGone, kStopped };
 
   /// Starts `command` (a path and its arguments) with its standard input and output connected to
-  /// this object and its address space limited. Failure to start shows at the first question.
+  /// this object and its address space limited (0: not at all). Failure to start shows at the
+  /// first question.
   HelperProcess(const std::vector<std::string>& command, std::uint64_t memory_bytes);
   /// Kills the child if it still runs.
   ~HelperProcess();

@@ -25,11 +25,18 @@ enum class CgalMethod : std::uint8_t {
 };
 [[nodiscard]] const char* cgal_method_name(CgalMethod method);
 
+/// Sanitizers reserve terabytes of addresses, in a helper built with one, too.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr std::uint64_t kCgalMemoryBytes = 0;
+#else
+inline constexpr std::uint64_t kCgalMemoryBytes = std::uint64_t{3} << 30;
+#endif
+
 struct CgalLimits {
-  double wall_s = 20;                                   ///< a request; then the helper is killed
-  double cpu_s = 20;                                    ///< a request
-  std::uint64_t memory_bytes = std::uint64_t{3} << 30;  ///< address space of the helper
-  int requests = 400;                                   ///< a helper's life: CGAL's caches grow
+  double wall_s = 20;                             ///< a request; then the helper is killed
+  double cpu_s = 20;                              ///< a request
+  std::uint64_t memory_bytes = kCgalMemoryBytes;  ///< address space of the helper; 0: no limit
+  int requests = 400;                             ///< a helper's life: CGAL's caches grow
 };
 
 /// How often things went wrong, for tests.
