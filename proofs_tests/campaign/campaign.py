@@ -230,7 +230,7 @@ def parser():
         if runs:
             p.add_argument("--tool", required=True, help="the built blum")
             p.add_argument("--time-limit", type=float, default=60.0, help="seconds of a run")
-            p.add_argument("--max-memory", type=int, default=4096, help="MiB of a run")
+            p.add_argument("--max-memory", type=int, default=4096, help="MiB of a run; 0: no limit")
             p.add_argument("--max-cells", type=int, default=0, help="0: the tool's default")
             p.add_argument("--grace", type=float, default=30.0,
                            help="seconds after the limit (and a quarter) when a run is killed")

@@ -36,7 +36,8 @@ CHECK_RADIUS = pathlib.Path(__file__).resolve().parent.parent / "integration" / 
 
 class Limits:
     """Of one run. The tool is asked to keep `seconds` and `mebibytes`, and made to keep somewhat
-    more: a run that does not end by itself is a defect."""
+    more: a run that does not end by itself is a defect. 0 MiB: no limit of memory (a sanitizer
+    reserves terabytes of addresses)."""
 
     def __init__(self, seconds=60.0, mebibytes=4096, cells=0, grace=30.0):
         self.seconds, self.mebibytes, self.cells, self.grace = seconds, mebibytes, cells, grace
@@ -46,7 +47,7 @@ class Limits:
         return result + (["--max-cells", str(self.cells)] if self.cells else [])
 
     def text(self):
-        return f"{self.seconds:g} s, {self.mebibytes} MiB" + (
+        return f"{self.seconds:g} s, {self.mebibytes or 'unlimited'} MiB" + (
             f", {self.cells} cells" if self.cells else "")
 
     def wall(self):
@@ -54,8 +55,9 @@ class Limits:
         return 1.25 * self.seconds + self.grace
 
     def apply(self, process):
-        space = (2 * self.mebibytes + 1024) << 20
-        resource.prlimit(process.pid, resource.RLIMIT_AS, (space, space))
+        if self.mebibytes:
+            space = (2 * self.mebibytes + 1024) << 20
+            resource.prlimit(process.pid, resource.RLIMIT_AS, (space, space))
         resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
 
 

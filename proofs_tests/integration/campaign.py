@@ -8,9 +8,10 @@ import subprocess
 import sys
 import unittest
 
-from tool import SOURCE, TOOL, ToolTest, main
+from tool import SANITIZERS, SOURCE, TOOL, ToolTest, main
 
 FOLDER = SOURCE / "proofs_tests" / "campaign"
+MEMORY = ["--max-memory", "0"] if SANITIZERS else []
 sys.path.insert(0, str(FOLDER))
 
 import convex  # noqa: E402
@@ -62,7 +63,7 @@ sys.exit(4 if what == "internal error" else ended.returncode)
 class Campaign(ToolTest):
     def campaign(self, command, *arguments, tool=TOOL, **options):
         if command in ("run", "replay", "shrink"):
-            arguments = ["--tool", tool, *arguments]
+            arguments = ["--tool", tool, *MEMORY, *arguments]
         return subprocess.run(
             [sys.executable, "-B", FOLDER / "campaign.py", command, "--store", "runs.db",
              *map(str, arguments)], cwd=self.folder, capture_output=True, encoding="utf-8",
@@ -105,7 +106,7 @@ class Campaign(ToolTest):
                      "--commit", "abc"]
         process = subprocess.Popen(
             [sys.executable, "-B", FOLDER / "campaign.py", "run", "--store", "runs.db", "--tool",
-             TOOL, "--verbose", *arguments], cwd=self.folder, stdout=subprocess.PIPE,
+             TOOL, "--verbose", *MEMORY, *arguments], cwd=self.folder, stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL, encoding="utf-8")
         for _ in range(3):
             process.stdout.readline()

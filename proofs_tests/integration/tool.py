@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,8 @@ BUILD = pathlib.Path(os.environ["BLUM_BUILD_DIR"])
 SHARED_MODELS = SOURCE.parent / "shared" / "models"
 SEEDS = os.environ.get("BLUM_SEEDS", "1").split()
 SKIPPED = 77
+# Those the tool is built with: "address,undefined" or "thread".
+SANITIZERS = "".join(re.findall(r"-fsanitize=(\S+)", os.environ.get("BLUM_CXX_FLAGS", "")))
 
 
 class ToolTest(unittest.TestCase):
