@@ -173,7 +173,7 @@ bool nearer_at_ties(EngineContext& context, const LocalForm& b, const LocalForm&
 bool Rivals::decide(std::size_t i, std::size_t j) {
   const LocalForm &a = forms_[i], &c = forms_[j];
   if (!may_both_govern(context_, a, c, range_)) return false;
-  if (context_.plain) return true;
+  if (context_.plain || context_.parts != nullptr) return true;
   const auto behind = [&](const LocalForm& b) {
     return b.site != a.site && b.site != c.site && nearer_at_ties(context_, b, a, c, range_);
   };

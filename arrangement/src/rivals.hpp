@@ -20,7 +20,7 @@ namespace blum {
 [[nodiscard]] bool nearer_at_ties(EngineContext& context, const LocalForm& b, const LocalForm& a,
                                   const LocalForm& c, const Range& range);
 
-/// Decided once a pair, when asked. For certificates (EngineContext::plain) by may_both_govern
+/// Decided once a pair, when asked. For certificates (parts are recorded) by may_both_govern
 /// alone.
 class Rivals {
  public:

@@ -158,7 +158,7 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
 }
 
 /// Boxes for each leaf of a part that say whether the leaf is too coarse.
-constexpr std::size_t kFirstLook = 1000;
+constexpr std::size_t kFirstLook = 400;
 
 /// Content with leaves where the review is and separation angles are within their tolerance.
 struct AngleReview {
