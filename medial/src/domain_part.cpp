@@ -51,24 +51,19 @@ bool on_an_edge(const Point3& p, const Point3& q) {
 
 std::vector<RoundedVector> domain_part(const SiteGeometry& geometry, SiteId site, const Box3& box) {
   std::vector<RoundedVector> points;
-  for (const double x : {box.lo.x, box.hi.x})
-    for (const double y : {box.lo.y, box.hi.y})
-      for (const double z : {box.lo.z, box.hi.z})
-        if ((x == box.lo.x || box.lo.x < box.hi.x) && (y == box.lo.y || box.lo.y < box.hi.y) &&
-            (z == box.lo.z || box.lo.z < box.hi.z))
-          points.push_back({{x, y, z}, 0});
-  if (box.lo.x == box.hi.x || box.lo.y == box.hi.y || box.lo.z == box.hi.z) {
-    std::ranges::sort(points, [](const auto& a, const auto& b) {
-      return std::tie(a.mid.x, a.mid.y, a.mid.z) < std::tie(b.mid.x, b.mid.y, b.mid.z);
-    });
-    const auto same =
-        std::ranges::unique(points, [](const auto& a, const auto& b) { return a.mid == b.mid; });
-    points.erase(same.begin(), same.end());
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Point3 x;
+    bool other = true;  // than the corners before, where the box is flat
+    for (int k = 0; k < 3; ++k) {
+      const bool high = (corner & (4u >> k)) != 0;
+      x[k] = high ? box.hi[k] : box.lo[k];
+      other = other && (!high || box.lo[k] < box.hi[k]);
+    }
+    if (other) points.push_back({x, 0});
   }
   bool corners = true;
   for (const HalfSpace& h : geometry.domain(site)) {
     std::vector<Valued> in, out;
-    bool cut = false;
     for (const RoundedVector& x : points) {
       const Valued v{x, value_of(h, geometry.solid().point[h.base], x)};
       (v.value.low() > 0 ? out : in).push_back(v);
@@ -80,8 +75,7 @@ std::vector<RoundedVector> domain_part(const SiteGeometry& geometry, SiteId site
     for (const Valued& p : in)
       for (const Valued& q : out)
         if (!corners || on_an_edge(p.point.mid, q.point.mid)) kept.push_back(crossing(p, q));
-    cut = kept.size() <= kMostPoints;
-    if (!cut) continue;
+    if (kept.size() > kMostPoints) continue;
     points = std::move(kept);
     corners = false;
   }

@@ -297,7 +297,8 @@ std::vector<LeafParts> leaf_parts(const SiteGeometry& geometry, const Subdivisio
     reader.add_seams(triangles[c], leaf);
     const auto part = reader.vertex.part[cone.apex];
     // Nodes have the highest numbers, sheets the lowest.
-    if (!leaf.conical && part != VertexParts::kNone && (leaf.rest == kNone || part > leaf.rest))
+    if (!leaf.conical && part != VertexParts::kNone &&
+        (leaf.rest == LeafParts::kNone || part > leaf.rest))
       leaf.rest = part;
   }
   return list;

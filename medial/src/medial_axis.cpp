@@ -175,20 +175,21 @@ struct AngleReview {
     if (!options.wanted || verdict.go_back || !verdict.divide.empty() || axis.undecided)
       return verdict;
     const auto begin = std::chrono::steady_clock::now();
-    const auto bound = [&](std::size_t boxes) {
-      whole = boxes == options.boxes_per_leaf;
+    const auto look = [&](std::size_t boxes) {
       AngleOptions used = options;
       used.boxes_per_leaf = boxes;
       last = part_angles(axis.geometry, axis.subdivision, axis.engines, axis.complex, axis.parts,
                          used);
     };
     const bool first = rounds++ < options.refinements && options.boxes_per_leaf > kFirstLook;
-    if (first) bound(kFirstLook);
-    whole = whole || (first && last->wide == 0);
-    if (first && last->wide > 0 && !last->coarse_leaves.empty())
+    look(first ? kFirstLook : options.boxes_per_leaf);
+    whole = !first || last->wide == 0;
+    if (!whole && !last->coarse_leaves.empty()) {
       verdict.divide = last->coarse_leaves;
-    else if (!first || last->wide > 0)
-      bound(options.boxes_per_leaf);
+    } else if (!whole) {
+      look(options.boxes_per_leaf);
+      whole = true;
+    }
     seconds += seconds_since(begin);
     verdict.fine_enough = {};
     return verdict;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -270,7 +271,7 @@ void PartBound::find_nodes() {
     const Leaf& leaf = subdivision_.leaf[leaves_[t.leaf].leaf];
     for (const LeafParts::Node& node : leaves_[t.leaf].node) {
       if ((node.groups & ~t.role.a) != 0 || !(top() > lo_ + tolerance_)) continue;
-      const std::vector<AngleBox> boxes = node.vertex == LeafParts::Node::kNone
+      const std::vector<AngleBox> boxes = node.vertex == LeafParts::kNone
                                               ? std::vector<AngleBox>{{node.box, leaf.candidates}}
                                               : around(node.vertex, leaf);
       for (const GroupSet sides : node.arc)

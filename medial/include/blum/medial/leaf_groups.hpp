@@ -69,7 +69,6 @@ struct LeafParts {
   /// Where arcs meet that part as many different groups: on a face of the leaf, or about a vertex
   /// of the solid inside it where as many convex edges meet.
   struct Node {
-    static constexpr std::uint32_t kNone = 0xffffffffu;
     std::uint32_t vertex = kNone;  ///< of the solid
     Box3 box;                      ///< else: flat, holds the tree of ties that the arcs are ends of
     GroupSet groups = 0;           ///< three at least
