@@ -160,11 +160,18 @@ ReviewVerdict review_and_refine(const SiteGeometry& geometry, const SubdivisionO
 /// Boxes for each leaf of a part that say whether the leaf is too coarse.
 constexpr std::size_t kFirstLook = 400;
 
+AngleLook angle_look(const AngleOptions& options, bool for_coarse_leaves) {
+  return {options.tolerance_deg,
+          for_coarse_leaves ? std::min(options.boxes_per_leaf, kFirstLook) : options.boxes_per_leaf,
+          for_coarse_leaves};
+}
+
 /// Content with leaves where the review is and separation angles are within their tolerance.
 struct AngleReview {
   const AxisReview& review;
   const AngleOptions& options;
   int rounds = 0;
+  AngleMemo memo{};
   std::optional<PartAngles> last{};  ///< of the axis seen last
   bool whole = false;                ///< and not only a first look
   double seconds = 0;
@@ -175,21 +182,16 @@ struct AngleReview {
     if (!options.wanted || verdict.go_back || !verdict.divide.empty() || axis.undecided)
       return verdict;
     const auto begin = std::chrono::steady_clock::now();
-    const auto look = [&](std::size_t boxes) {
-      AngleOptions used = options;
-      used.boxes_per_leaf = boxes;
+    const auto look = [&](bool for_coarse_leaves) {
       last = part_angles(axis.geometry, axis.subdivision, axis.engines, axis.complex, axis.parts,
-                         used);
+                         angle_look(options, for_coarse_leaves), memo);
+      whole = !for_coarse_leaves || last->wide == 0;
     };
-    const bool first = rounds++ < options.refinements && options.boxes_per_leaf > kFirstLook;
-    look(first ? kFirstLook : options.boxes_per_leaf);
-    whole = !first || last->wide == 0;
-    if (!whole && !last->coarse_leaves.empty()) {
+    look(rounds++ < options.refinements);
+    if (!whole && !last->coarse_leaves.empty())
       verdict.divide = last->coarse_leaves;
-    } else if (!whole) {
-      look(options.boxes_per_leaf);
-      whole = true;
-    }
+    else if (!whole)
+      look(false);
     seconds += seconds_since(begin);
     verdict.fine_enough = {};
     return verdict;
@@ -292,7 +294,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
     result.angles = bounded.last && bounded.whole
                         ? std::move(*bounded.last)
                         : part_angles(geometry, subdivided.value(), engines, result.complex,
-                                      result.parts, angles);
+                                      result.parts, angle_look(angles, false), bounded.memo);
     result.filtration = filter(result.complex, result.parts,
                                cell_costs(result.complex, result.parts, *result.angles));
     result.time.angles_s = seconds_since(begin) + bounded.seconds;

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -27,16 +28,22 @@ constexpr double kSmallest = 1e-9;
 constexpr int kMeetingRounds = 16;  // bisections along each axis
 constexpr std::size_t kMostMeetingBoxes = 256;
 constexpr double kSmall = 1e-3;  // a box that should tell, as part of its leaf
+constexpr double kTiny = 1e-4;   // one that tells that its leaf is too coarse
 constexpr int kShrinkings = 20;  // of a box about a vertex
 /// Boxes are not cut in the middle, where symmetric models have their symmetries.
 constexpr double kCut = 0.4878;
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
+constexpr int kHope = 400;     // the same where nothing but a witness can help
 
 struct Item {
   AngleBound bound;
   std::uint32_t task = 0;
   AngleBox box;
-  friend bool operator<(const Item& a, const Item& b) { return a.bound.hi < b.bound.hi; }
+  double radius = 0;  // of the box
+  /// Of equal bounds the smaller box first: it soon tells whether more boxes are of use.
+  friend bool operator<(const Item& a, const Item& b) {
+    return std::pair(a.bound.hi, -a.radius) < std::pair(b.bound.hi, -b.radius);
+  }
 };
 
 /// What one thread works with.
@@ -50,21 +57,23 @@ class PartBound {
  public:
   PartBound(const SiteGeometry& geometry, const Subdivision& subdivision,
             const std::vector<LeafParts>& leaves, const std::vector<AngleTask>& tasks,
-            const AngleOptions& options, const std::atomic<bool>& stop, Tools& tools)
+            const AngleLook& look, const std::atomic<bool>& stop, Tools& tools)
       : geometry_(geometry),
         subdivision_(subdivision),
         leaves_(leaves),
         tasks_(tasks),
-        tolerance_(options.tolerance_deg / kDegrees),
-        budget_(options.boxes_per_leaf * tasks.size()),
+        tolerance_(look.tolerance_deg / kDegrees),
+        budget_(look.boxes_per_leaf * tasks.size()),
+        for_coarse_(look.for_coarse_leaves),
+        is_coarse_(tasks.size(), false),
         stop_(stop),
         tools_(tools) {}
 
   /// Starts: where witnesses are looked for first.
   [[nodiscard]] AngleInterval run(const std::vector<AngleStart>& starts);
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
-  /// Where small boxes are left whose angles are not known; once run() has ended.
-  [[nodiscard]] std::set<std::uint32_t> coarse_leaves() const;
+  /// In whose leaves small boxes are left whose angles are not known; once run() has ended.
+  [[nodiscard]] std::vector<std::uint32_t> coarse_tasks() const;
 
  private:
   void add(std::uint32_t task, Box3 box, const std::vector<SiteId>& candidates);
@@ -77,6 +86,15 @@ class PartBound {
   [[nodiscard]] double top() const {
     return heap_.empty() ? lo_ : std::max(heap_.front().bound.hi, lo_);
   }
+  [[nodiscard]] bool is_open() const {
+    return top() > lo_ + tolerance_ && (top() > stuck_ || idle_ < kHope);
+  }
+  /// The item as part of its leaf.
+  [[nodiscard]] double size(const Item& item) const {
+    return item.radius / radius_of(subdivision_.leaf[leaves_[tasks_[item.task].leaf].leaf].box);
+  }
+  /// Takes the item out of the search, if more boxes are not what it needs.
+  [[nodiscard]] bool settles(const Item& item);
   void divide(const Item& item);
   void seek(std::uint32_t task, const AngleBox& within, const Box3& search, const AngleBound& top);
 
@@ -86,11 +104,14 @@ class PartBound {
   const std::vector<AngleTask>& tasks_;
   const double tolerance_;
   const std::size_t budget_;
+  const bool for_coarse_;
+  std::vector<bool> is_coarse_;  // by task: its leaf is; more boxes in it are of no use
   const std::atomic<bool>& stop_;
   Tools& tools_;
   std::vector<Item> heap_;
   double lo_ = 0;
   std::vector<Item> settled_;  // boxes that are not looked at any more
+  double stuck_ = 0;           // the largest bound of those that are too small to be divided
   std::size_t boxes_ = 0;
   int idle_ = 0;  // boxes since the last better witness
 };
@@ -100,6 +121,7 @@ void PartBound::add(std::uint32_t task, Box3 box, const std::vector<SiteId>& can
   Item item;
   item.task = task;
   item.box.box = box;
+  item.radius = radius_of(box);
   if (!stop_) item.box.candidates = tools_.engine.prune(candidates, box.lo, box.hi);
   const AngleTask& t = tasks_[task];
   item.bound = stop_ ? AngleBound{kPi, {}, {}}
@@ -160,6 +182,25 @@ int longest_axis(const Box3& box) {
   return axis;
 }
 
+double cut_of(const Box3& box, int axis) {
+  return box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
+}
+
+bool PartBound::settles(const Item& item) {
+  const Box3& box = item.box.box;
+  const int axis = longest_axis(box);
+  const double cut = cut_of(box, axis);
+  if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
+    stuck_ = std::max(stuck_, item.bound.hi);
+  } else {
+    if (!for_coarse_) return false;
+    if (size(item) < kTiny) is_coarse_[item.task] = true;
+    if (!is_coarse_[item.task]) return false;
+  }
+  settled_.push_back(item);
+  return true;
+}
+
 void PartBound::divide(const Item& item) {
   const Box3& box = item.box.box;
   bool solid_box = true;
@@ -171,11 +212,7 @@ void PartBound::divide(const Item& item) {
       return;
     }
   const int axis = longest_axis(box);
-  const double cut = box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
-  if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
-    settled_.push_back(item);
-    return;
-  }
+  const double cut = cut_of(box, axis);
   Box3 low = box, high = box;
   low.hi[axis] = high.lo[axis] = cut;
   add(item.task, low, item.box.candidates);
@@ -207,7 +244,7 @@ void PartBound::find_meeting(const AngleTask& task, std::vector<AngleBox> boxes,
     double least = kPi, most = 0;
     for (const AngleBox& b : boxes) {
       const int axis = longest_axis(b.box);
-      const double cut = b.box.lo[axis] + kCut * (b.box.hi[axis] - b.box.lo[axis]);
+      const double cut = cut_of(b.box, axis);
       for (const bool high : {false, true}) {
         AngleBox half = b;
         (high ? half.box.lo : half.box.hi)[axis] = cut;
@@ -295,11 +332,11 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
   }
   find_junction();
   find_nodes();
-  while (!heap_.empty() && top() > lo_ + tolerance_ && boxes_ < budget_ && !stop_) {
+  while (is_open() && boxes_ < budget_ && !stop_) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Item item = std::move(heap_.back());
     heap_.pop_back();
-    if (!(item.bound.hi > lo_)) continue;
+    if (!(item.bound.hi > lo_) || settles(item)) continue;
     ++idle_;
     if (idle_ < kPatience || idle_ % kPatience == 0)
       seek(item.task, item.box, item.box.box, item.bound);
@@ -311,31 +348,28 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
   return {std::max(0.0, lo_ * kDegrees - 1e-12), std::min(180.0, hi * kDegrees + 1e-12)};
 }
 
-std::set<std::uint32_t> PartBound::coarse_leaves() const {
-  std::set<std::uint32_t> leaves;
+std::vector<std::uint32_t> PartBound::coarse_tasks() const {
+  std::set<std::uint32_t> tasks;
   for (const auto& items : {std::span(settled_), std::span(heap_)})
-    for (const Item& item : items) {
-      const auto leaf = leaves_[tasks_[item.task].leaf].leaf;
-      if (item.bound.hi > lo_ + tolerance_ &&
-          radius_of(item.box.box) < kSmall * radius_of(subdivision_.leaf[leaf].box))
-        leaves.insert(leaf);
-    }
-  return leaves;
+    for (const Item& item : items)
+      if (item.bound.hi > lo_ + tolerance_ && size(item) < kSmall) tasks.insert(item.task);
+  return {tasks.begin(), tasks.end()};
 }
 
 }  // namespace
 
 PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
                        EngineSet& engines, const CellComplex& complex, const Parts& parts,
-                       const AngleOptions& options) {
+                       const AngleLook& look, AngleMemo& memo) {
   const PartNumbers number = part_numbers(complex, parts);
   const VertexParts vertex = vertex_parts(complex, parts);
   const auto leaves = leaf_parts(geometry, subdivision, complex, parts);
   const AnglePlan plan = angle_plan(geometry.solid(), leaves, complex, parts, number);
 
-  std::vector<AngleInterval> interval(number.count(), {0, 0});
-  std::vector<std::size_t> boxes(number.count(), 0);
-  std::vector<std::set<std::uint32_t>> coarse(number.count());
+  memo.number(leaves, subdivision);
+
+  std::vector<AngleMemo::Known> known(number.count(), {{0, 0}, 0, {}, {}});
+  std::vector<std::optional<AngleMemo::Key>> keys(number.count());
   std::vector<Tools> tools;
   for (int t = 0; t < engines.threads(); ++t) {
     ProductionEngine& engine = engines.production(t);
@@ -343,38 +377,51 @@ PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivis
   }
   const std::atomic<bool>& stop = engines.watch().flag();
   for_each_in_parallel(engines.threads(), number.count(), [&](int thread, std::size_t p) {
-    if (plan.tasks[p].empty()) return;
-    PartBound bound(geometry, subdivision, leaves, plan.tasks[p], options, stop,
-                    tools[static_cast<std::size_t>(thread)]);
-    interval[p] = bound.run(plan.starts[p]);
-    boxes[p] = bound.boxes();
-    if (interval[p].width() > options.tolerance_deg) coarse[p] = bound.coarse_leaves();
+    const auto& tasks = plan.tasks[p];
+    if (tasks.empty()) return;
+    AngleMemo::Key key = memo.key(tasks, plan.starts[p]);
+    if (const auto* before = memo.find(key, look)) {
+      known[p] = *before;
+    } else {
+      PartBound bound(geometry, subdivision, leaves, tasks, look, stop,
+                      tools[static_cast<std::size_t>(thread)]);
+      known[p] = {bound.run(plan.starts[p]), bound.boxes(), {}, look};
+      if (known[p].interval.width() > look.tolerance_deg) known[p].coarse = bound.coarse_tasks();
+      if (stop) return;
+    }
+    keys[p] = std::move(key);
   });
+  std::map<AngleMemo::Key, AngleMemo::Known> parts_now;
+  for (std::size_t p = 0; p < known.size(); ++p)
+    if (keys[p]) parts_now.emplace(std::move(*keys[p]), known[p]);
+  memo.keep(std::move(parts_now));
+  const auto interval = [&](std::uint32_t part) { return known[part].interval; };
 
   PartAngles angles;
   angles.is_node = vertex.is_node;
-  angles.sheet.assign(interval.begin(), interval.begin() + number.sheets);
-  angles.seam.assign(interval.begin() + number.sheets,
-                     interval.begin() + number.sheets + number.seams);
+  for (std::uint32_t p = 0; p < number.sheets; ++p) angles.sheet.push_back(interval(p));
+  for (std::uint32_t k = 0; k < number.seams; ++k) angles.seam.push_back(interval(number.seam(k)));
   for (std::uint32_t v = 0; v < complex.vertex.size(); ++v)
     angles.vertex.push_back(vertex.part[v] == VertexParts::kNone ? AngleInterval{0, 0}
-                                                                 : interval[vertex.part[v]]);
-  for (const auto n : boxes) angles.boxes += n;
+                                                                 : interval(vertex.part[v]));
+  for (const auto& k : known) angles.boxes += k.boxes;
   std::vector<std::uint32_t> wide;  // parts
   const auto count = [&](std::uint32_t part) {
-    const double width = interval[part].width();
+    const double width = interval(part).width();
     angles.widest_deg = std::max(angles.widest_deg, width);
-    if (width > options.tolerance_deg) wide.push_back(part);
+    if (width > look.tolerance_deg) wide.push_back(part);
   };
   for (std::uint32_t p = 0; p < number.sheets + number.seams; ++p) count(p);
   for (std::uint32_t c = 0; c < complex.cone.size(); ++c)
     if (parts.cone_shape[c] == ConeShape::kJunction) count(vertex.part[complex.cone[c].apex]);
   angles.wide = wide.size();
-  std::ranges::stable_sort(wide, std::greater(), [&](auto p) { return interval[p].width(); });
+  std::ranges::stable_sort(wide, std::greater(), [&](auto p) { return interval(p).width(); });
   std::set<std::uint32_t> listed;
   for (const auto p : wide)
-    for (const auto leaf : coarse[p])
+    for (const auto t : known[p].coarse) {
+      const auto leaf = leaves[plan.tasks[p][t].leaf].leaf;
       if (listed.insert(leaf).second) angles.coarse_leaves.push_back(leaf);
+    }
   return angles;
 }
 

@@ -1,15 +1,17 @@
 /// Certified separation angles of all parts, by branch and bound over the leaves.
 #pragma once
 
+#include "angle_memo.hpp"
 #include "blum/medial/angles.hpp"
 #include "blum/subdivision/engine_set.hpp"
 
 namespace blum {
 
 /// The same for any number of threads, unless the run's watch fires: bounds are then as wide as
-/// they are at that time, and still right.
+/// they are at that time, and still right. `memo`: of looks at coarser subdivisions of the same
+/// solid; changes nothing but the time.
 [[nodiscard]] PartAngles part_angles(const SiteGeometry& geometry, const Subdivision& subdivision,
                                      EngineSet& engines, const CellComplex& complex,
-                                     const Parts& parts, const AngleOptions& options);
+                                     const Parts& parts, const AngleLook& look, AngleMemo& memo);
 
 }  // namespace blum

@@ -30,6 +30,8 @@ class LeafGroups {
   [[nodiscard]] GroupSet of(SiteId s) const;
   [[nodiscard]] GroupSet all() const { return all_; }
   [[nodiscard]] bool labels(SiteId s) const;
+  /// Sites that label groups, with these; sorted.
+  [[nodiscard]] const std::vector<std::pair<SiteId, GroupSet>>& entries() const { return set_; }
 
  private:
   std::vector<std::pair<SiteId, GroupSet>> set_;  // sorted
