@@ -69,6 +69,14 @@ bool TiePairs::never(SiteId a, SiteId b) {
   return it->second;
 }
 
+bool seam_counts_pair(const LeafParts& leaf, const AngleRole& role, GroupSet g, GroupSet h) {
+  return role.kind == AngleRole::Kind::kSeam && role.distinct && std::has_single_bit(g) &&
+         std::has_single_bit(h) && g != h && ((g | h) & ~role.a) == 0 &&
+         std::none_of(leaf.arc.begin(), leaf.arc.end(), [&](const auto& arc) {
+           return ((g & arc.a) && (h & arc.b)) || ((h & arc.a) && (g & arc.b));
+         });
+}
+
 AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const LeafParts& leaf,
                         const AngleRole& role, const AngleBox& box) {
   using Kind = AngleRole::Kind;

@@ -49,6 +49,11 @@ struct AngleBound {
                                                             const AngleBox& box, GroupSet groups,
                                                             GroupSet must, int count);
 
+/// Is a point with feet in the groups g and h and in no other certainly one that the seam counts,
+/// though it has no three feet? No arc of the leaf may be between the two.
+[[nodiscard]] bool seam_counts_pair(const LeafParts& leaf, const AngleRole& role, GroupSet g,
+                                    GroupSet h);
+
 [[nodiscard]] AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs,
                                       const LeafParts& leaf, const AngleRole& role,
                                       const AngleBox& box);

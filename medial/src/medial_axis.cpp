@@ -187,11 +187,10 @@ struct AngleReview {
                          angle_look(options, for_coarse_leaves), memo);
       whole = !for_coarse_leaves || last->wide == 0;
     };
-    look(rounds++ < options.refinements);
-    if (!whole && !last->coarse_leaves.empty())
-      verdict.divide = last->coarse_leaves;
-    else if (!whole)
-      look(false);
+    const bool may_divide = rounds++ < options.refinements;
+    if (may_divide) look(true);
+    if (!may_divide || (!whole && last->coarse_leaves.empty())) look(false);
+    if (may_divide) verdict.divide = last->coarse_leaves;
     seconds += seconds_since(begin);
     verdict.fine_enough = {};
     return verdict;

@@ -222,12 +222,18 @@ void PartBound::divide(const Item& item) {
 void PartBound::seek(std::uint32_t task, const AngleBox& within, const Box3& search,
                      const AngleBound& top) {
   const AngleTask& t = tasks_[task];
+  const LeafParts& parts = leaves_[t.leaf];
   std::optional<double> found;
-  if (t.role.kind == AngleRole::Kind::kArc)
-    found =
-        tools_.witness.on_sheet(leaves_[t.leaf], t.role, within, center_of(search), top.a, top.b);
-  else if (t.role.kind == AngleRole::Kind::kSeam)
-    found = tools_.witness.on_seam(leaves_[t.leaf], t.role, within, search);
+  const auto on_sheet = [&](const AngleRole& role) {
+    found = tools_.witness.on_sheet(parts, role, within, center_of(search), top.a, top.b);
+  };
+  if (t.role.kind == AngleRole::Kind::kArc) {
+    on_sheet(t.role);
+  } else if (t.role.kind == AngleRole::Kind::kSeam) {
+    const GroupSet g = parts.groups.of(top.a), h = parts.groups.of(top.b);
+    if (seam_counts_pair(parts, t.role, g, h)) on_sheet({AngleRole::Kind::kArc, g, h});
+    if (!found) found = tools_.witness.on_seam(parts, t.role, within, search);
+  }
   if (found && *found > lo_) {
     lo_ = *found;
     idle_ = 0;
