@@ -51,7 +51,9 @@ int run_verify(const VerifyArguments& arguments) {
     return kInput;
   }
   std::cout << "checked         " << answer.leaves << " leaves, " << answer.faces << " diagrams of "
-            << answer.parts << " parts and cuts, " << answer.exclusions << " exclusions\n";
+            << answer.parts << " parts and cuts, " << answer.exclusions << " exclusions\n"
+            << "exact algebra   decided " << answer.exact_parts
+            << " of the parts: shared with the program that made the certificate\n";
   if (answer.outcome == Outcome::kFalse) {
     std::cout << "FALSE           " << answer.statement << " (" << arguments.certificate << ":"
               << answer.line << ")\n";

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "exact.hpp"
 #include "failure.hpp"
 #include "glue.hpp"
 #include "pruning.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kOldestVersion = 2, kMaxDepth = 1000;
+constexpr int kOldestVersion = 2, kPruningVersion = 3, kMaxDepth = 1000;
 constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
 
 class Interrupted {};
@@ -31,6 +32,7 @@ class Checker {
       : shape_(shape),
         sites_(shape),
         exclusion_(sites_),
+        algebra_(shape),
         lines_(exclusion_),
         reader_(in),
         progress_(progress),
@@ -62,6 +64,7 @@ class Checker {
   const Shape& shape_;
   Sites sites_;
   Exclusion exclusion_;
+  Algebra algebra_;
   LineSolver lines_;
   Reader reader_;
   const std::function<bool(double)>& progress_;
@@ -116,8 +119,9 @@ FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<cons
       it->second = lines_.solve(segment, inside(at(segment, segment.t0)), candidates, triangles);
     side[static_cast<std::size_t>(s)] = it->second;
   }
-  FaceMap map = check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  FaceMap map = check_face(exclusion_, algebra_, rect, side, candidates, triangles, nodes);
   map.number = number;
+  answer_.exact_parts += map.exact;
   check_graph(map, graph);
   return map;
 }
@@ -217,7 +221,7 @@ void Checker::check_complex() {
   check_counts(complex, none, j, reader_.next("betti"), "the complex");
   answer_.betti = shape_.betti();
   if (!reader_.at("collapse") && !reader_.at("pruned")) return;
-  if (version_ < kFormatVersion) throw Unreadable("pruning, which this version has not");
+  if (version_ < kPruningVersion) throw Unreadable("pruning, which this version has not");
   Pruning pruning(shape_, complex);
   while (reader_.at("collapse")) pruning.collapse(reader_.next("collapse"));
   const json left = reader_.next("pruned");
