@@ -31,6 +31,13 @@ void check_side(const FaceDiagram& d, std::size_t s, Line& line) {
   }
 }
 
+std::vector<SiteId> ids(std::span<const Site> sites) {
+  if (sites.size() > kMostSites) throw Algebra::Undecided("too many sites for exact algebra");
+  std::vector<SiteId> list;
+  for (const Site s : sites) list.push_back({s});
+  return list;
+}
+
 FaceMap::Node node_of(const FaceNode& n, const Rect& r) {
   switch (n.kind) {
     case FaceNode::Kind::kSide:
@@ -96,9 +103,7 @@ Algebra::Algebra(const Shape& shape) {
 FaceMap Algebra::diagram(const Rect& rect, const std::array<Line, 4>& side,
                          std::span<const Site> sites,
                          std::span<const std::uint32_t> triangles) const {
-  if (sites.size() > kMostSites) throw Undecided("too many sites for exact algebra");
-  std::vector<SiteId> candidates;
-  for (const Site s : sites) candidates.push_back({s});
+  const std::vector<SiteId> candidates = ids(sites);
   const FaceDiagram d =
       brute_face({&solid_, rect, candidates, triangles, triangles.empty(), DiagramKind::kMedial});
   if (d.status != FaceStatus::kDecided) throw Undecided(d.reason);
@@ -120,7 +125,16 @@ FaceMap Algebra::diagram(const Rect& rect, const std::array<Line, 4>& side,
     map.arc.push_back({{a.from, a.to}, a.region});
   }
   check_ends(map);
+  ++diagrams;
   return map;
+}
+
+std::size_t Algebra::ties(const Segment& segment, std::span<const Site> sites) const {
+  const std::vector<SiteId> candidates = ids(sites);
+  const auto found = brute_segment(solid_, segment, candidates, {}, true, DiagramKind::kMedial);
+  if (!found) throw Undecided("line: not in general position");
+  ++segments;
+  return found->breakpoint.size();
 }
 
 }  // namespace blum::verify

@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
 
 #include "blum/kernel/union_find.hpp"
 #include "exact.hpp"
@@ -19,6 +20,8 @@ Segment side_of(const Rect& r, int side) {
 }
 
 namespace {
+
+constexpr int kMostHalvings = 6;  // of a part that exact algebra does not decide
 
 /// Sides have nodes for the ids of their ties, and elements of regions for those of their pieces.
 struct Box {
@@ -61,7 +64,7 @@ class FaceChecker {
       : exclusion_(exclusion),
         algebra_(algebra),
         shape_(exclusion.sites().shape()),
-        lines_(exclusion),
+        lines_(exclusion, algebra),
         rect_(rect),
         triangles_(triangles.begin(), triangles.end()),
         candidates_(candidates.begin(), candidates.end()),
@@ -74,6 +77,7 @@ class FaceChecker {
   [[nodiscard]] bool holds(const Rect& r, std::uint32_t edge) const;
   [[nodiscard]] Line name(Line line, int side);
   void check(Box box);
+  [[nodiscard]] std::array<Box, 2> cut(const Box& box, bool along_u, double m);
   void check_part(const Box& box, const Claim& claim);
   [[nodiscard]] std::vector<Circle> circles(const Box& box, bool& loop) const;
   /// The groups, and whether the part is one of chords.
@@ -83,8 +87,10 @@ class FaceChecker {
                           const std::vector<Circle>& circles, const Claim& claim) const;
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim,
               const Groups* chords);
-  void record_exact(const Box& box, const Part& part, const std::vector<Site>& sites,
-                    const std::vector<Circle>& border, bool loop);
+  void check_exact(const Box& box, std::span<const Site> listed, const std::string& reason,
+                   int halvings = kMostHalvings);
+  void record_exact(const Box& box, std::span<const Site> listed);
+  [[nodiscard]] std::vector<Site> may_govern(const Box& box, std::span<const Site> listed) const;
   [[nodiscard]] std::uint32_t new_element() {
     labels_.emplace_back();
     piece_.add();
@@ -118,7 +124,6 @@ class FaceChecker {
   std::vector<Site> candidates_;  // sorted
   std::span<const PartNode> parts_;
   std::size_t next_part_ = 0;
-  std::size_t exact_ = 0;                                               // parts by exact algebra
   std::map<std::uint32_t, std::array<Rational, 2>> point_;              // boundary edge -> (u, v)
   std::map<std::uint32_t, std::array<std::uint32_t, 2>> trace_;         // triangle -> two edges
   std::map<std::uint32_t, std::uint32_t> trace_element_, convex_node_;  // by triangle, edge
@@ -334,20 +339,54 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
   }
 }
 
-/// By exact algebra, on a problem of the checker's own: `sites` and the triangles here are all that
-/// it could not exclude itself, whatever the certificate lists.
-void FaceChecker::record_exact(const Box& box, const Part& part, const std::vector<Site>& sites,
-                               const std::vector<Circle>& border, bool loop) {
+/// Those listed, and all that are not shown to govern nothing.
+std::vector<Site> FaceChecker::may_govern(const Box& box, std::span<const Site> listed) const {
+  std::vector<Site> sites;
+  const Box3 part = box_of(box.rect);
+  std::ranges::copy_if(box.candidates, std::back_inserter(sites), [&](Site s) {
+    return std::ranges::binary_search(listed, s) ||
+           !(exclusion_.governs_nothing(s, part, listed, triangles_) ||
+             exclusion_.governs_nothing(s, part, box.candidates, triangles_, 20000));
+  });
+  return sites;
+}
+
+/// By exact algebra, on halves of the part where it does not decide.
+void FaceChecker::check_exact(const Box& box, std::span<const Site> listed,
+                              const std::string& reason, int halvings) {
+  std::string last;
+  try {
+    return record_exact(box, listed);
+  } catch (const Algebra::Undecided& undecided) {
+    last = undecided.what();
+  }
+  const Rect& r = box.rect;
+  const bool along_u = r.u1 - r.u0 > r.v1 - r.v0;
+  const double low = along_u ? r.u0 : r.v0, m = low + 0.4375 * ((along_u ? r.u1 : r.v1) - low);
+  if (halvings == 0 || !(m > low && m < (along_u ? r.u1 : r.v1)))
+    throw Failure("face: a part that only exact algebra or Theorem S decides: " + reason + "; " +
+                  last);
+  for (const Box& half : cut(box, along_u, m)) check_exact(half, listed, reason, halvings - 1);
+}
+
+/// The problem is of the checker's own: the sites and triangles are all that it could not exclude
+/// itself, whatever the certificate lists.
+void FaceChecker::record_exact(const Box& box, std::span<const Site> listed) {
+  bool loop = false;
+  const std::vector<Circle> border = circles(box, loop);
+  if (border.empty() && !loop) return;
+  const std::vector<Site> sites = may_govern(box, listed);
   std::vector<std::uint32_t> edges, triangles, node;
   for (const auto& [e, p] : point_)
     if (holds(box.rect, e)) edges.push_back(e);
   const bool crossed = std::ranges::any_of(box.side, [](const Line& side) {
     return std::ranges::find(side.piece, false, &Line::Piece::inside) != side.piece.end();
   });
-  if (crossed || !edges.empty()) triangles = exclusion_.sites().meeting(triangles_, part.box);
+  if (crossed || !edges.empty())
+    triangles = exclusion_.sites().meeting(triangles_, box_of(box.rect));
   const FaceMap map = algebra_.diagram(box.rect, box.side, sites, triangles);
   for (const FaceMap::Region& r : map.region)
-    require(std::ranges::includes(part.sites, r.labels),
+    require(std::ranges::includes(listed, r.labels),
             "face: a site that governs a part by exact algebra is missing");
   require(map.trace_point == edges, "face: exact algebra finds other boundary edges");
   require(loop || std::accumulate(map.circles.begin(), map.circles.end(), std::size_t{0}) ==
@@ -387,7 +426,6 @@ void FaceChecker::record_exact(const Box& box, const Part& part, const std::vect
   }
   for (const auto& [ends, r] : map.arc)
     arc_.push_back({{node[ends[0]], node[ends[1]]}, {of_region[r[0]], of_region[r[1]]}});
-  ++exact_;
 }
 
 void FaceChecker::check_part(const Box& box, const Claim& claim) {
@@ -397,19 +435,13 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const Part part{exclusion_, box_of(box.rect), box.rect.axis, claim.sites};
   require(std::ranges::includes(candidates_, part.sites),
           "face: a part names a site that is no candidate");
-  std::vector<Site> sites;  // that may govern the part
-  std::ranges::copy_if(box.candidates, std::back_inserter(sites), [&](Site s) {
-    return std::ranges::binary_search(part.sites, s) ||
-           !(exclusion_.governs_nothing(s, part.box, part.sites, triangles_) ||
-             exclusion_.governs_nothing(s, part.box, box.candidates, triangles_, 20000));
-  });
   const SharedFeet shared(exclusion_, part.sites, part.box);
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   std::pair<Groups, bool> star;
   try {
     require(!loop, "face: a closed curve of ∂O inside a part");
-    require(std::ranges::includes(part.sites, sites),
+    require(std::ranges::includes(part.sites, may_govern(box, part.sites)),
             "face: a site that may govern a part is missing");
     if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords)
       star = check_star(part, shared, border, claim);
@@ -417,12 +449,7 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
       rim = check_about_vertex(part, shared, feet, border, claim);
   } catch (const Failure& failure) {
     if (!claim.proposed) throw;
-    try {
-      return record_exact(box, part, sites, border, loop);
-    } catch (const Algebra::Undecided& why) {
-      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
-                    failure.what() + "; " + why.what());
-    }
+    return check_exact(box, part.sites, failure.what());
   }
   for (const Circle& c : border) record(c, part, feet, rim, star.second ? &star.first : nullptr);
 }
@@ -431,9 +458,12 @@ void FaceChecker::check(Box box) {
   require(next_part_ < parts_.size(), "face: parts are missing");
   const PartNode& node = parts_[next_part_++];
   if (node.axis < 0) return check_part(box, node.claim);
-  const bool along_u = node.axis == 0;
+  for (Box& half : cut(box, node.axis == 0, node.cut)) check(std::move(half));
+}
+
+/// The low and the high half.
+std::array<Box, 2> FaceChecker::cut(const Box& box, bool along_u, double m) {
   const Rect& r = box.rect;
-  const double m = node.cut;
   require(along_u ? m > r.u0 && m < r.u1 : m > r.v0 && m < r.v1, "face: a cut outside its part");
   Box low = box, high = box;
   (along_u ? low.rect.u1 : low.rect.v1) = (along_u ? high.rect.u0 : high.rect.v0) = m;
@@ -450,9 +480,7 @@ void FaceChecker::check(Box box) {
                                            -1);
   for (Box* half : {&low, &high})
     half->candidates = exclusion_.remaining(box.candidates, box_of(half->rect));
-  box = Box{};
-  check(std::move(low));
-  check(std::move(high));
+  return {std::move(low), std::move(high)};
 }
 
 /// Where two parts meet arcs go on: one node less, but on a closed arc, which keeps one.
@@ -481,7 +509,6 @@ FaceMap FaceChecker::assemble(const Box& root) {
   FaceMap map;
   map.rect = root.rect;
   map.side = root.side;
-  map.exact = exact_;
   std::vector<std::uint32_t> region_of(region_.size(), kNone), piece_of(region_.size(), kNone),
       node_of(node_.size(), kNone);
   const auto piece = [&](std::uint32_t element) {

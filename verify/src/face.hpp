@@ -5,8 +5,6 @@
 
 namespace blum::verify {
 
-class Algebra;
-
 /// A direction in the plane of a face: (u, v), or the left normal of the projected line between two
 /// vertices (exact).
 struct Direction {
@@ -63,7 +61,6 @@ struct FaceMap {
     std::uint32_t piece = 0;
   };
   std::uint32_t number = 0;  ///< among the diagrams of the certificate
-  std::size_t exact = 0;     ///< parts that rest on the exact algebra of the program
   Rect rect;
   std::array<Line, 4> side;  ///< low v, high u, high v, low u; pieces have their regions for ids
   std::vector<Node> node;

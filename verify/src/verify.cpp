@@ -33,12 +33,13 @@ class Checker {
         sites_(shape),
         exclusion_(sites_),
         algebra_(shape),
-        lines_(exclusion_),
+        lines_(exclusion_, algebra_),
         reader_(in),
         progress_(progress),
         answer_(answer) {}
   void run(const std::string& fingerprint);
   [[nodiscard]] std::size_t line() const { return reader_.line(); }
+  [[nodiscard]] const Algebra& algebra() const { return algebra_; }
 
  private:
   /// Sites that may govern a cell as far as the certificate says, and those excluded above it of
@@ -121,7 +122,6 @@ FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<cons
   }
   FaceMap map = check_face(exclusion_, algebra_, rect, side, candidates, triangles, nodes);
   map.number = number;
-  answer_.exact_parts += map.exact;
   check_graph(map, graph);
   return map;
 }
@@ -204,11 +204,12 @@ void Checker::check_interfaces() {
 }
 
 void Checker::check_complex() {
-  const Complex complex = glue(exclusion_, node_, leaf_, [this](const Rect& r) -> const FaceMap& {
-    const auto it = interface_.find(key_of(r));
-    require(it != interface_.end(), "gluing: the diagram of an interface is missing");
-    return it->second;
-  });
+  const Complex complex =
+      glue(exclusion_, algebra_, node_, leaf_, [this](const Rect& r) -> const FaceMap& {
+        const auto it = interface_.find(key_of(r));
+        require(it != interface_.end(), "gluing: the diagram of an interface is missing");
+        return it->second;
+      });
   const json j = reader_.next("complex");
   std::vector<std::size_t> cones(leaf_.size(), 0);
   for (const auto& c : j.at("cones")) {
@@ -327,6 +328,8 @@ Answer verify(const Model& model, std::istream& certificate,
   } catch (const Interrupted&) {
     end(Answer::Outcome::kUnreadable, "interrupted");
   }
+  answer.exact_parts = checker.algebra().diagrams;
+  answer.exact_segments = checker.algebra().segments;
   return answer;
 }
 
