@@ -54,7 +54,7 @@ int run_verify(const VerifyArguments& arguments) {
             << answer.parts << " parts and cuts, " << answer.exclusions << " exclusions\n"
             << "exact algebra   decided " << answer.exact_parts << " of "
             << (answer.parts + answer.faces) / 2 << " parts and " << answer.exact_segments
-            << " stretches of lines; the rest shares nothing with the maker that decides\n";
+            << " stretches of lines; blum medial uses it, too\n";
   if (answer.outcome == Outcome::kFalse) {
     std::cout << "FALSE           " << answer.statement << " (" << arguments.certificate << ":"
               << answer.line << ")\n";

@@ -134,7 +134,7 @@ const std::vector<Change>& changes() {
          for (int k : {1, 2}) box[k] = box[k].get<double>() + 2 * width;
          return true;
        }},
-      {"another kind", "diagram: an event is missing",
+      {"another kind", "diagram: a",
        [](Json& graph, std::size_t e) {
          Json& kind = graph["events"][e][0];
          kind = kind == "rim" ? "event" : "rim";
