@@ -93,7 +93,7 @@ void print(const Contents& c, std::ostream& out) {
   const auto exact = c.by_claim.find("exact");
   if (exact != c.by_claim.end())
     out << "note            " << exact->second
-        << " parts were decided by exact algebra; `blum verify` tries to show them as stars\n";
+        << " parts were decided in ways for which `blum verify` may need exact algebra\n";
   if (c.end.at("certified") == true) {
     print_cells("complex         ", c.complex.at("cells"), out);
     out << "claims          Betti numbers " << c.betti.at(0) << ' ' << c.betti.at(1) << ' '

@@ -61,7 +61,13 @@ Rational between(const Real& lo, const Real& hi, int attempt) {
 Rational between(const Algebraic& a, const Algebraic& b, int attempt) {
   slong precision = 64;
   while (!a.enclosure(precision).below(b.enclosure(precision))) precision *= 2;
-  return between(a.enclosure(precision), b.enclosure(precision), attempt);
+  for (;; precision *= 2) {
+    try {
+      return between(a.enclosure(precision), b.enclosure(precision), attempt);
+    } catch (const PrecisionSpent&) {  // of enclosures wider than what is between them
+      if (precision > kMostBits) throw;
+    }
+  }
 }
 
 /// All places of a fiber.

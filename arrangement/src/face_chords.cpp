@@ -92,7 +92,9 @@ bool FaceEngine::accept_chords(const Box& box, const Border& border,
   for (const auto& [pair, gains] : pairs) {
     const auto d = direction(gains, forms, range);
     if (!d) return false;
-    between.push_back({forms[gains[0].i].site, forms[gains[0].j].site, in_plane(*d)});
+    for (const SiteId a : named_in(forms, groups, groups.of[gains[0].i]))
+      for (const SiteId b : named_in(forms, groups, groups.of[gains[0].j]))
+        between.push_back({a, b, in_plane(*d)});
   }
   std::vector<std::vector<std::uint32_t>> regions;
   for (const auto& run : runs) {

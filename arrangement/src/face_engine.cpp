@@ -429,6 +429,7 @@ void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, s
   for (const LocalForm& f : forms) r.sites.push_back(f.site);
   r.vertex = vertex;
   r.edge = edge;
+  r.plain = context_.plain;
   context_.parts->push_back(std::move(r));
 }
 
@@ -436,14 +437,23 @@ void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, c
                       const Directions& directions) {
   if (context_.parts == nullptr) return;
   note(kind, forms);
+  for (std::uint32_t g = 0; g < directions.size(); ++g)
+    if (directions[g])
+      for (const SiteId s : named_in(forms, groups, g))
+        context_.parts->back().direction.emplace_back(s, in_plane(*directions[g]));
+}
+
+std::vector<SiteId> FaceEngine::named_in(std::span<const LocalForm> forms, const Groups& groups,
+                                         std::uint32_t group) {
+  std::vector<SiteId> members;
+  bool vertex = false;
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    const auto g = groups.of[i];
-    if (g >= directions.size() || !directions[g] ||
-        std::find(groups.of.begin(), groups.of.begin() + static_cast<std::ptrdiff_t>(i), g) !=
-            groups.of.begin() + static_cast<std::ptrdiff_t>(i))
-      continue;
-    context_.parts->back().direction.emplace_back(forms[i].site, in_plane(*directions[g]));
+    if (groups.of[i] != group) continue;
+    members.push_back(forms[i].site);
+    vertex |= forms[i].kind == SiteKind::kVertex;
   }
+  if (!vertex) members.resize(1);
+  return members;
 }
 
 PlaneDirection FaceEngine::in_plane(const Direction& d) const {

@@ -10,6 +10,15 @@ namespace {
 /// Exact algebra on more candidates takes seconds.
 constexpr std::size_t kMaxExactCandidates = 12;
 
+/// The node's box rounded outwards may leave the part that holds the node.
+FaceNode within(FaceNode node, const Rect& part) {
+  node.u0 = std::max(node.u0, part.u0);
+  node.u1 = std::min(node.u1, part.u1);
+  node.v0 = std::max(node.v0, part.v0);
+  node.v1 = std::min(node.v1, part.v1);
+  return node;
+}
+
 }  // namespace
 
 bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
@@ -92,7 +101,7 @@ bool FaceEngine::accept_exact(const Box& box, std::span<const LocalForm> forms,
       case FaceNode::Kind::kEvent:
       case FaceNode::Kind::kRim:
         node[n] = new_node(exact.kind, box);
-        nodes_[node[n]].node = exact;
+        nodes_[node[n]].node = within(exact, part.rect);
         break;
     }
     nodes_[node[n]].element = of_piece[exact.piece];

@@ -1,6 +1,7 @@
 #include "blum/arrangement/production_engine.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "blum/arrangement/brute_engine.hpp"
 #include "face_engine.hpp"
@@ -46,6 +47,11 @@ FaceDiagram ProductionEngine::face(
     context.plain = false;
     if (d.status != FaceStatus::kUndecided || context.stopped()) return d;
     if (context.parts != nullptr) context.parts->clear();
+    // A checker may look at the parts by exact algebra, which knows no clusters.
+    const bool parted = std::exchange(context.part_clusters, true);
+    d = FaceEngine(context, problem).solve(side);
+    context.part_clusters = parted;
+    return d;
   }
   return FaceEngine(context, problem).solve(side);
 }

@@ -90,9 +90,9 @@ bool touch(const SiteGeometry& geometry, std::span<const SiteId> sites, SiteId a
   return false;
 }
 
-/// By ties, unless two of a group tie essentially: then by feet.
-UnionFind groups_of(const SiteGeometry& geometry, Predicates& predicates,
-                    std::span<const SiteId> sites) {
+/// By ties, unless two of a group tie essentially: then by feet (true).
+std::pair<UnionFind, bool> groups_of(const SiteGeometry& geometry, Predicates& predicates,
+                                     std::span<const SiteId> sites) {
   const auto n = static_cast<std::uint32_t>(sites.size());
   const auto components = [&](auto&& related) {
     UnionFind group;
@@ -107,14 +107,13 @@ UnionFind groups_of(const SiteGeometry& geometry, Predicates& predicates,
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < i; ++j)
       if (ties.find(i) == ties.find(j) && !never(sites[i], sites[j]))
-        return components([&](SiteId a, SiteId b) { return touch(geometry, sites, a, b); });
-  return ties;
+        return {components([&](SiteId a, SiteId b) { return touch(geometry, sites, a, b); }), true};
+  return {ties, false};
 }
 
 /// For each group one along which it gains on all others, by the gradients.
-Directions propose_directions(const SiteGeometry& geometry, Predicates& predicates,
-                              const Rect& part, std::span<const SiteId> sites) {
-  UnionFind group = groups_of(geometry, predicates, sites);
+Directions propose_directions(const SiteGeometry& geometry, const Rect& part,
+                              std::span<const SiteId> sites, UnionFind& group) {
   std::vector<std::vector<Plane>> of;
   for (const SiteId s : sites) of.push_back(gradients(geometry, part, s));
   std::map<std::uint32_t, std::vector<Plane>> gains;  // by group, on each site of the others
@@ -180,7 +179,8 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
     return all;
   };
   Json j = Json::array();
-  // What exact algebra decided holds one event in the end, whose box is the part.
+  // What exact algebra decided holds one event in the end, whose box is the part, unless events are
+  // too near each other to be parted.
   const auto propose = [&](const auto& self, const Rect& part, const PartRecord& r) -> void {
     std::vector<FaceNode*> event;
     for (FaceNode& n : face.node)
@@ -193,11 +193,11 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
         for (const Rect& half : cut(part, middle->first, middle->second)) self(self, half, r);
         return;
       }
-    for (FaceNode* n : event) {
-      n->u0 = part.u0;
-      n->u1 = part.u1;
-      n->v0 = part.v0;
-      n->v1 = part.v1;
+    if (event.size() == 1) {
+      event[0]->u0 = part.u0;
+      event[0]->u1 = part.u1;
+      event[0]->v0 = part.v0;
+      event[0]->v1 = part.v1;
     }
     // Vertices that are feet of no point of the part would tie the edges there into one group.
     std::vector<SiteId> kept;
@@ -207,8 +207,14 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
                            point_on(part.axis, part.level, part.u0, part.v0),
                            point_on(part.axis, part.level, part.u1, part.v1)))
         kept.push_back(s);
-    j.push_back(
-        {"exact", sites(kept), directions(propose_directions(geometry, predicates, part, kept))});
+    auto [group, by_feet] = groups_of(geometry, predicates, kept);
+    Json star = {by_feet ? "feet" : "star", sites(kept),
+                 directions(propose_directions(geometry, part, kept, group))};
+    j.push_back(Json::array({"exact", std::move(star)}));
+  };
+  // What the checker may not show by reasons of its own it may decide otherwise.
+  const auto claim = [&](const PartRecord& r, Json part) {
+    j.push_back(r.plain ? std::move(part) : Json::array({"exact", std::move(part)}));
   };
   std::vector<Rect> open{face.rect};  // parts still to come
   for (const PartRecord& r : records) {
@@ -230,8 +236,8 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
         break;
       case Kind::kStar:
       case Kind::kFeet:
-        j.push_back(
-            {r.kind == Kind::kFeet ? "feet" : "star", sites(r.sites), directions(r.direction)});
+        claim(r,
+              {r.kind == Kind::kFeet ? "feet" : "star", sites(r.sites), directions(r.direction)});
         break;
       case Kind::kChords:
       case Kind::kFeetChords: {
@@ -240,8 +246,8 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
           between_groups.push_back(directed(Json::array({site(a), site(b)}), w));
         for (const auto& [a, b, c] : r.parted)
           parted.push_back(Json::array({site(a), site(b), site(c)}));
-        j.push_back({r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites),
-                     between_groups, parted});
+        claim(r, {r.kind == Kind::kChords ? "chords" : "feet chords", sites(r.sites),
+                  between_groups, parted});
         break;
       }
       case Kind::kCone:

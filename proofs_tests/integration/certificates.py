@@ -55,12 +55,12 @@ class Certificates(ToolTest):
     def test_another_version_is_unreadable(self):
         self.certify(["cuboid"])
         text = (self.folder / "m.cert").read_text()
-        for version, code in ((1, 2), (2, 0), (3, 0), (4, 2)):
-            self.file("other.cert", text.replace('"version":3', f'"version":{version}'))
+        for version, code in ((1, 2), (2, 0), (3, 0), (4, 0), (5, 2)):
+            self.file("other.cert", text.replace('"version":4', f'"version":{version}'))
             result = self.blum("verify", "m.off", "other.cert")
             self.expect(result, code)
             if code != 0:
-                self.assertIn(f"version {version} of the format; this program reads 2 to 3",
+                self.assertIn(f"version {version} of the format; this program reads 2 to 4",
                               result.stderr)
 
     def test_other_model_is_false(self):

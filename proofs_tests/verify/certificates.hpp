@@ -96,6 +96,9 @@ inline std::vector<std::size_t> all(const std::vector<Json>& records, const char
   return found;
 }
 
+/// What is claimed of a part, or proposed for one that the program decided otherwise.
+inline Json& claim_of(Json& part) { return part[0] == "exact" ? part[1] : part; }
+
 /// Leaves with a part of the axis on their surface; and their faces with arcs.
 struct FaceRef {
   std::size_t record, face;

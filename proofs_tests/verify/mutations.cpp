@@ -177,7 +177,8 @@ const std::vector<Mutation>& false_mutations() {
          Json& face = *any_face(r, random);
          const Json s = governor(face, random);
          for (Json& p : face["parts"])
-           if (p.size() > 1 && p[1].is_array()) drop(p[1], s);
+           if (Json& claim = claim_of(p); claim.size() > 1 && claim[1].is_array())
+             drop(claim[1], s);
          return true;
        }},
       // A tie decreases along the direction of its one side only.
@@ -468,8 +469,8 @@ const std::vector<Mutation>& true_mutations() {
              if (below(random, 2) == 0) std::swap(a[2], a[3]);
            }
            for (Json& p : face["parts"])
-             for (std::size_t k = 1; k < p.size(); ++k)
-               if (p[k].is_array()) std::ranges::shuffle(p[k].get_ref<Json::array_t&>(), random);
+             for (Json& list : claim_of(p))
+               if (list.is_array()) std::ranges::shuffle(list.get_ref<Json::array_t&>(), random);
          }
          return true;
        }},

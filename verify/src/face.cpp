@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
+#include <string>
 
 #include "blum/kernel/union_find.hpp"
+#include "exact.hpp"
 #include "face_claims.hpp"
 #include "failure.hpp"
 
@@ -17,6 +20,8 @@ Segment side_of(const Rect& r, int side) {
 }
 
 namespace {
+
+constexpr int kMostHalvings = 6;  // of a part that exact algebra does not decide
 
 /// Sides have nodes for the ids of their ties, and elements of regions for those of their pieces.
 struct Box {
@@ -53,11 +58,13 @@ std::vector<Interval> intervals(const Circle& circle) {
 
 class FaceChecker {
  public:
-  FaceChecker(const Exclusion& exclusion, const Rect& rect, std::span<const Site> candidates,
-              std::span<const std::uint32_t> triangles, std::span<const PartNode> parts)
+  FaceChecker(const Exclusion& exclusion, const Algebra& algebra, const Rect& rect,
+              std::span<const Site> candidates, std::span<const std::uint32_t> triangles,
+              std::span<const PartNode> parts)
       : exclusion_(exclusion),
+        algebra_(algebra),
         shape_(exclusion.sites().shape()),
-        lines_(exclusion),
+        lines_(exclusion, algebra),
         rect_(rect),
         triangles_(triangles.begin(), triangles.end()),
         candidates_(candidates.begin(), candidates.end()),
@@ -70,6 +77,7 @@ class FaceChecker {
   [[nodiscard]] bool holds(const Rect& r, std::uint32_t edge) const;
   [[nodiscard]] Line name(Line line, int side);
   void check(Box box);
+  [[nodiscard]] std::array<Box, 2> cut(const Box& box, bool along_u, double m);
   void check_part(const Box& box, const Claim& claim);
   [[nodiscard]] std::vector<Circle> circles(const Box& box, bool& loop) const;
   /// The groups, and whether the part is one of chords.
@@ -79,6 +87,10 @@ class FaceChecker {
                           const std::vector<Circle>& circles, const Claim& claim) const;
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim,
               const Groups* chords);
+  void check_exact(const Box& box, std::span<const Site> listed, const std::string& reason,
+                   int halvings = kMostHalvings);
+  void record_exact(const Box& box, std::span<const Site> listed);
+  [[nodiscard]] std::vector<Site> may_govern(const Box& box, std::span<const Site> listed) const;
   [[nodiscard]] std::uint32_t new_element() {
     labels_.emplace_back();
     piece_.add();
@@ -95,10 +107,16 @@ class FaceChecker {
     through_.push_back(through);
     return static_cast<std::uint32_t>(node_.size() - 1);
   }
+  [[nodiscard]] std::uint32_t convex_node(std::uint32_t edge) {
+    const auto [it, fresh] = convex_node_.try_emplace(edge, 0u);
+    if (fresh) it->second = new_node({FaceMap::Node::Kind::kConvexEdge, 0, 0, edge});
+    return it->second;
+  }
   void splice();
   [[nodiscard]] FaceMap assemble(const Box& root);
 
   const Exclusion& exclusion_;
+  const Algebra& algebra_;
   const Shape& shape_;
   LineSolver lines_;
   Rect rect_;
@@ -217,9 +235,8 @@ std::vector<Circle> FaceChecker::circles(const Box& box, bool& loop) const {
 std::pair<Groups, bool> FaceChecker::check_star(const Part& part, const SharedFeet& feet,
                                                 const std::vector<Circle>& circles,
                                                 const Claim& claim) const {
-  Groups groups = groups_by_ties(exclusion_.sites(), part.sites, part.box);
-  if (claim.by_feet || (claim.proposed && !groups.cliques))
-    groups = groups_by_feet(exclusion_.sites(), part.sites, feet);
+  Groups groups = claim.by_feet ? groups_by_feet(exclusion_.sites(), part.sites, feet)
+                                : groups_by_ties(exclusion_.sites(), part.sites, part.box);
   require(groups.cliques, "Theorem D': a group with an essential tie");
   std::vector<std::vector<std::uint32_t>> all;
   bool twice = false;
@@ -238,20 +255,13 @@ std::pair<Groups, bool> FaceChecker::check_star(const Part& part, const SharedFe
     twice |= std::set(runs.begin(), runs.end()).size() < runs.size();
     all.push_back(std::move(runs));
   }
-  if (claim.type == Claim::Type::kStar && !twice) {
-    check_directions(part, groups, feet, claim);
-    return {groups, false};
+  if (claim.type == Claim::Type::kChords) {
+    check_chords(part, groups, feet, all, claim);
+    return {groups, true};
   }
-  Claim chords = claim;
-  if (claim.type == Claim::Type::kStar) {
-    require(claim.proposed, "Theorem D': a group governs two intervals of a border");
-    // What is proposed for a star will do for chords: a group's direction for all its pairs.
-    for (const auto& [a, along] : claim.direction)
-      for (const auto& [b, other] : claim.direction)
-        if (a != b) chords.between.push_back({a, b, along});
-  }
-  check_chords(part, groups, feet, all, chords);
-  return {groups, true};
+  require(!twice, "Theorem D': a group governs two intervals of a border");
+  check_directions(part, groups, feet, claim);
+  return {groups, false};
 }
 
 /// Theorem G, or a rim. Is there an end of arcs inside, however few ties are on the border?
@@ -285,13 +295,8 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
   std::vector<std::uint32_t> ends, runs;  // run[k] after end[k]
   std::vector<Site> label;
   for (const Interval& i : intervals(circle)) {
-    if (const Step* s = i.separator; s && s->kind == Step::Kind::kTie) {
-      ends.push_back(s->id);
-    } else if (s) {
-      const auto [it, fresh] = convex_node_.try_emplace(s->id, 0u);
-      if (fresh) it->second = new_node({FaceMap::Node::Kind::kConvexEdge, 0, 0, s->id});
-      ends.push_back(it->second);
-    }
+    if (const Step* s = i.separator)
+      ends.push_back(s->kind == Step::Kind::kTie ? s->id : convex_node(s->id));
     runs.push_back(element_of(*i.step.front()));
     label.push_back(i.step.front()->label);
     for (const Step* s : i.step) {
@@ -334,45 +339,131 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
   }
 }
 
+/// Those listed, and all that are not shown to govern nothing.
+std::vector<Site> FaceChecker::may_govern(const Box& box, std::span<const Site> listed) const {
+  std::vector<Site> sites;
+  const Box3 part = box_of(box.rect);
+  std::ranges::copy_if(box.candidates, std::back_inserter(sites), [&](Site s) {
+    return std::ranges::binary_search(listed, s) ||
+           !(exclusion_.governs_nothing(s, part, listed, triangles_) ||
+             exclusion_.governs_nothing(s, part, box.candidates, triangles_, 20000));
+  });
+  return sites;
+}
+
+/// By exact algebra, on halves of the part where it does not decide.
+void FaceChecker::check_exact(const Box& box, std::span<const Site> listed,
+                              const std::string& reason, int halvings) {
+  std::string last;
+  try {
+    return record_exact(box, listed);
+  } catch (const Algebra::Undecided& undecided) {
+    last = undecided.what();
+  }
+  const Rect& r = box.rect;
+  const bool along_u = r.u1 - r.u0 > r.v1 - r.v0;
+  const double low = along_u ? r.u0 : r.v0, m = low + 0.4375 * ((along_u ? r.u1 : r.v1) - low);
+  if (halvings == 0 || !(m > low && m < (along_u ? r.u1 : r.v1)))
+    throw Failure("face: a part that only exact algebra or Theorem S decides: " + reason + "; " +
+                  last);
+  for (const Box& half : cut(box, along_u, m)) check_exact(half, listed, reason, halvings - 1);
+}
+
+/// The problem is of the checker's own: the sites and triangles are all that it could not exclude
+/// itself, whatever the certificate lists.
+void FaceChecker::record_exact(const Box& box, std::span<const Site> listed) {
+  bool loop = false;
+  const std::vector<Circle> border = circles(box, loop);
+  if (border.empty() && !loop) return;
+  const std::vector<Site> sites = may_govern(box, listed);
+  std::vector<std::uint32_t> edges, triangles, node;
+  for (const auto& [e, p] : point_)
+    if (holds(box.rect, e)) edges.push_back(e);
+  const bool crossed = std::ranges::any_of(box.side, [](const Line& side) {
+    return std::ranges::find(side.piece, false, &Line::Piece::inside) != side.piece.end();
+  });
+  if (crossed || !edges.empty())
+    triangles = exclusion_.sites().meeting(triangles_, box_of(box.rect));
+  const FaceMap map = algebra_.diagram(box.rect, box.side, sites, triangles);
+  for (const FaceMap::Region& r : map.region)
+    require(std::ranges::includes(listed, r.labels),
+            "face: a site that governs a part by exact algebra is missing");
+  require(map.trace_point == edges, "face: exact algebra finds other boundary edges");
+  require(loop || std::accumulate(map.circles.begin(), map.circles.end(), std::size_t{0}) ==
+                      border.size(),
+          "face: exact algebra finds other borders of ∂O and the part");
+  // Regions get the elements of the intervals of sides and of the traces that they show on.
+  std::vector<std::uint32_t> of_region(map.region.size(), kNone),
+      of_piece(map.circles.size(), kNone);
+  const auto join = [&](std::uint32_t r, std::uint32_t own) {
+    if (of_region[r] == kNone) of_region[r] = own;
+    region_.unite(of_region[r], own);
+    auto& first = of_piece[map.region[r].piece];
+    if (first == kNone) first = own;
+    piece_.unite(first, own);
+  };
+  for (std::size_t s = 0; s < 4; ++s)
+    for (std::size_t k = 0; k < box.side[s].piece.size(); ++k)
+      if (const Line::Piece& own = box.side[s].piece[k]; own.inside)
+        join(map.side[s].piece[k].id, own.id);
+  for (const auto& [t, r] : map.trace) join(r, element_of({Step::Kind::kTrace, t}));
+  for (std::uint32_t r = 0; r < map.region.size(); ++r) {
+    if (of_region[r] == kNone) join(r, new_element());
+    auto& labels = labels_[of_region[r]];
+    labels.insert(labels.end(), map.region[r].labels.begin(), map.region[r].labels.end());
+  }
+  for (const Circle& c : border)
+    for (const Interval& i : intervals(c))
+      for (const Step* s : i.step)
+        require(region_.find(element_of(*s)) == region_.find(element_of(*i.step.front())),
+                "face: exact algebra parts the border elsewhere");
+  for (const FaceMap::Node& n : map.node) {
+    node.push_back(n.kind == FaceMap::Node::Kind::kSide
+                       ? box.side[static_cast<std::size_t>(n.side)].change[n.change].id
+                   : n.kind == FaceMap::Node::Kind::kConvexEdge ? convex_node(n.edge)
+                                                                : new_node(n));
+    node_[node.back()].piece = of_piece[n.piece];
+  }
+  for (const auto& [ends, r] : map.arc)
+    arc_.push_back({{node[ends[0]], node[ends[1]]}, {of_region[r[0]], of_region[r[1]]}});
+}
+
 void FaceChecker::check_part(const Box& box, const Claim& claim) {
   bool loop = false;
   const std::vector<Circle> border = circles(box, loop);
-  require(!loop, "face: a closed curve of ∂O inside a part");
-  if (border.empty()) return;
+  if (border.empty() && !loop) return;
   const Part part{exclusion_, box_of(box.rect), box.rect.axis, claim.sites};
   require(std::ranges::includes(candidates_, part.sites),
           "face: a part names a site that is no candidate");
-  for (const Site s : box.candidates)
-    require(std::ranges::binary_search(part.sites, s) ||
-                exclusion_.governs_nothing(s, part.box, part.sites, triangles_) ||
-                exclusion_.governs_nothing(s, part.box, box.candidates, triangles_, 20000),
-            "face: a site that may govern a part is missing");
   const SharedFeet shared(exclusion_, part.sites, part.box);
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   std::pair<Groups, bool> star;
-  if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords)
-    star = check_star(part, shared, border, claim);
-  else
-    rim = check_about_vertex(part, shared, feet, border, claim);
+  try {
+    require(!loop, "face: a closed curve of ∂O inside a part");
+    require(std::ranges::includes(part.sites, may_govern(box, part.sites)),
+            "face: a site that may govern a part is missing");
+    if (claim.type == Claim::Type::kStar || claim.type == Claim::Type::kChords)
+      star = check_star(part, shared, border, claim);
+    else
+      rim = check_about_vertex(part, shared, feet, border, claim);
+  } catch (const Failure& failure) {
+    if (!claim.proposed) throw;
+    return check_exact(box, part.sites, failure.what());
+  }
   for (const Circle& c : border) record(c, part, feet, rim, star.second ? &star.first : nullptr);
 }
 
 void FaceChecker::check(Box box) {
   require(next_part_ < parts_.size(), "face: parts are missing");
   const PartNode& node = parts_[next_part_++];
-  if (node.axis < 0) {
-    try {
-      return check_part(box, node.claim);
-    } catch (const Failure& failure) {
-      if (!node.claim.proposed) throw;
-      throw Failure(std::string("face: a part that only exact algebra or Theorem S decides: ") +
-                    failure.what());
-    }
-  }
-  const bool along_u = node.axis == 0;
+  if (node.axis < 0) return check_part(box, node.claim);
+  for (Box& half : cut(box, node.axis == 0, node.cut)) check(std::move(half));
+}
+
+/// The low and the high half.
+std::array<Box, 2> FaceChecker::cut(const Box& box, bool along_u, double m) {
   const Rect& r = box.rect;
-  const double m = node.cut;
   require(along_u ? m > r.u0 && m < r.u1 : m > r.v0 && m < r.v1, "face: a cut outside its part");
   Box low = box, high = box;
   (along_u ? low.rect.u1 : low.rect.v1) = (along_u ? high.rect.u0 : high.rect.v0) = m;
@@ -389,9 +480,7 @@ void FaceChecker::check(Box box) {
                                            -1);
   for (Box* half : {&low, &high})
     half->candidates = exclusion_.remaining(box.candidates, box_of(half->rect));
-  box = Box{};
-  check(std::move(low));
-  check(std::move(high));
+  return {std::move(low), std::move(high)};
 }
 
 /// Where two parts meet arcs go on: one node less, but on a closed arc, which keeps one.
@@ -488,10 +577,10 @@ FaceMap FaceChecker::run(const std::array<Line, 4>& sides) {
 
 }  // namespace
 
-FaceMap check_face(const Exclusion& exclusion, const Rect& rect, const std::array<Line, 4>& sides,
-                   std::span<const Site> candidates, std::span<const std::uint32_t> triangles,
-                   std::span<const PartNode> parts) {
-  return FaceChecker(exclusion, rect, candidates, triangles, parts).run(sides);
+FaceMap check_face(const Exclusion& exclusion, const Algebra& algebra, const Rect& rect,
+                   const std::array<Line, 4>& sides, std::span<const Site> candidates,
+                   std::span<const std::uint32_t> triangles, std::span<const PartNode> parts) {
+  return FaceChecker(exclusion, algebra, rect, candidates, triangles, parts).run(sides);
 }
 
 }  // namespace blum::verify

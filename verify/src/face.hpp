@@ -22,7 +22,7 @@ struct Claim {
   };
   Type type = Type::kStar;
   bool by_feet = false;
-  bool proposed = false;    ///< kStar, or chords with the same directions, by ties or feet
+  bool proposed = false;    ///< exact algebra decides where this does not hold
   std::vector<Site> sites;  ///< sorted; the others of the face govern nothing in the part
   std::vector<std::pair<Site, Direction>> direction;  ///< of the group that holds the site
   /// Chords: the group of `a` gains on that of `b` along the direction.
@@ -50,7 +50,7 @@ struct FaceMap {
     int side = 0;                 ///< kSide
     std::uint32_t change = 0;     ///< kSide: index in the side's line
     std::uint32_t edge = 0;       ///< kConvexEdge
-    std::array<double, 4> box{};  ///< kEvent, kRim: u0, u1, v0, v1 of the part that holds it
+    std::array<double, 4> box{};  ///< kEvent, kRim: u0, u1, v0, v1: holds it and no other
     std::uint32_t piece = kNone;
   };
   struct Arc {
@@ -78,8 +78,9 @@ struct FaceMap {
 }
 
 /// candidates, triangles: as for LineSolver, for the rectangle. Throws Failure.
-[[nodiscard]] FaceMap check_face(const Exclusion& exclusion, const Rect& rect,
-                                 const std::array<Line, 4>& sides, std::span<const Site> candidates,
+[[nodiscard]] FaceMap check_face(const Exclusion& exclusion, const Algebra& algebra,
+                                 const Rect& rect, const std::array<Line, 4>& sides,
+                                 std::span<const Site> candidates,
                                  std::span<const std::uint32_t> triangles,
                                  std::span<const PartNode> parts);
 

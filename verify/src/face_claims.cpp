@@ -84,7 +84,7 @@ void check_chords(const Part& part, const Groups& groups, const SharedFeet& feet
         continue;
       const auto forth = along.find({g, h}), back = along.find({h, g});
       const bool without = forth == along.end() && back == along.end();
-      if ((without || claim.proposed) && gains_on(a, b, {})) continue;
+      if (without && gains_on(a, b, {})) continue;
       require(!without, "chords: two groups without direction");
       ties.insert({g, h});
       require(forth != along.end() ? gains_on(a, b, forth->second) : gains_on(b, a, back->second),

@@ -25,10 +25,10 @@ LineKey key_of(const Segment& s) { return {s.axis, s.u, s.v}; }
 
 class Gluer {
  public:
-  Gluer(const Exclusion& exclusion, std::span<const CellNode> node, std::span<const Leaf> leaf,
-        const InterfaceMap& interface_map)
+  Gluer(const Exclusion& exclusion, const Algebra& algebra, std::span<const CellNode> node,
+        std::span<const Leaf> leaf, const InterfaceMap& interface_map)
       : shape_(exclusion.sites().shape()),
-        lines_(exclusion),
+        lines_(exclusion, algebra),
         node_(node),
         leaf_(leaf),
         interface_map_(interface_map) {}
@@ -201,9 +201,9 @@ Complex Gluer::run() {
 
 }  // namespace
 
-Complex glue(const Exclusion& exclusion, std::span<const CellNode> node, std::span<const Leaf> leaf,
-             const InterfaceMap& interface_map) {
-  return Gluer(exclusion, node, leaf, interface_map).run();
+Complex glue(const Exclusion& exclusion, const Algebra& algebra, std::span<const CellNode> node,
+             std::span<const Leaf> leaf, const InterfaceMap& interface_map) {
+  return Gluer(exclusion, algebra, node, leaf, interface_map).run();
 }
 
 std::map<std::string, std::size_t> count_cells(const Complex& complex,

@@ -58,8 +58,9 @@ struct Complex {
                                                              const std::vector<bool>& gone);
 
 /// Glues the cones of all leaves. Throws Failure where two leaves disagree.
-[[nodiscard]] Complex glue(const Exclusion& exclusion, std::span<const CellNode> node,
-                           std::span<const Leaf> leaf, const InterfaceMap& interface_map);
+[[nodiscard]] Complex glue(const Exclusion& exclusion, const Algebra& algebra,
+                           std::span<const CellNode> node, std::span<const Leaf> leaf,
+                           const InterfaceMap& interface_map);
 
 /// Over Z/2, of the cells that are not gone: a closed set.
 [[nodiscard]] std::array<long, 3> betti_numbers(const Complex& complex,

@@ -5,59 +5,117 @@
 #include "failure.hpp"
 
 namespace blum::verify {
+namespace {
 
-void check_graph(FaceMap& map, const Graph& claimed) {
-  using Kind = FaceMap::Node::Kind;
-  std::vector<Graph::End> end;  // of each node
-  for (const FaceMap::Node& n : map.node)
-    end.push_back(n.kind == Kind::kSide
-                      ? Graph::End{Graph::kSide, static_cast<std::uint32_t>(n.side), n.change}
-                      : Graph::End{Graph::kConvexEdge, n.edge, 0});
-  std::vector<bool> loop(map.node.size(), false), used(claimed.event.size(), false);
-  for (const FaceMap::Arc& a : map.arc)
-    if (a.node[0] == a.node[1]) loop[a.node[0]] = true;
-  // Events by their boxes.
-  for (std::size_t n = 0; n < map.node.size(); ++n) {
-    const auto& [kind, side, change, edge, box, piece] = map.node[n];
-    if (loop[n]) end[n] = {Graph::kLoop, 0, 0};
-    if ((kind != Kind::kEvent && kind != Kind::kRim) || loop[n]) continue;
-    int found = 0;
-    for (std::uint32_t e = 0; e < claimed.event.size(); ++e) {
-      const auto& [rim, own] = claimed.event[e];
-      if (own[0] >= box[1] || box[0] >= own[1] || own[2] >= box[3] || box[2] >= own[3]) continue;
+using Kind = FaceMap::Node::Kind;
+using Box = std::array<double, 4>;
+
+constexpr int kMostTries = 1000;  // to tell events apart that are nearer than doubles
+
+bool overlap(const Box& a, const Box& b) {
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+/// Compares `map` with `claimed`; events are told by kinds and boxes first.
+class Matcher {
+ public:
+  Matcher(FaceMap& map, const Graph& claimed)
+      : map_(map), claimed_(claimed), used_(claimed.event.size(), false) {}
+  void run();
+
+ private:
+  void find_candidates();
+  bool match(std::size_t k);
+  bool match_arcs();
+
+  FaceMap& map_;
+  const Graph& claimed_;
+  std::vector<Graph::End> end_;  // of each node
+  std::vector<std::uint32_t> event_;
+  std::vector<std::vector<std::uint32_t>> candidate_;  // by place in event_
+  std::vector<bool> used_;
+  int tries_ = kMostTries;
+};
+
+void Matcher::find_candidates() {
+  std::vector<std::vector<const Box*>> held(claimed_.event.size());  // nodes' boxes
+  for (const auto n : event_) {
+    const FaceMap::Node& node = map_.node[n];
+    candidate_.emplace_back();
+    for (std::uint32_t e = 0; e < claimed_.event.size(); ++e) {
+      const auto& [rim, own] = claimed_.event[e];
+      if (rim != (node.kind == Kind::kRim) || !overlap(own, node.box)) continue;
+      const Box& box = node.box;
       require(own[0] <= box[0] && own[1] >= box[1] && own[2] <= box[2] && own[3] >= box[3] &&
-                  !used[e] && rim == (kind == Kind::kRim),
+                  std::ranges::all_of(held[e], [&](const Box* b) { return overlap(*b, box); }),
               "diagram: a box does not isolate an event of its kind");
-      used[e] = true;
-      end[n] = {Graph::kEvent, e, 0};
-      ++found;
+      held[e].push_back(&box);
+      candidate_.back().push_back(e);
     }
-    require(found == 1, "diagram: an event is missing, or there twice");
+    require(!candidate_.back().empty(), "diagram: an event is missing");
   }
-  require(std::ranges::find(used, false) == used.end(), "diagram: an event that there is not");
+  require(event_.size() <= claimed_.event.size(), "diagram: an event is missing");
+  require(event_.size() == claimed_.event.size(), "diagram: an event that there is not");
+}
 
-  require(map.arc.size() == claimed.arc.size(), "diagram: another number of arcs");
-  std::vector<bool> taken(claimed.arc.size(), false);
-  std::vector<FaceMap::Arc> arcs(claimed.arc.size());
-  for (const FaceMap::Arc& own : map.arc) {
-    const Graph::End p = end[own.node[0]], q = end[own.node[1]];
+bool Matcher::match(std::size_t k) {
+  if (k == event_.size()) return --tries_ >= 0 && match_arcs();
+  for (const auto e : candidate_[k]) {
+    if (used_[e]) continue;
+    used_[e] = true;
+    end_[event_[k]] = {Graph::kEvent, e, 0};
+    if (match(k + 1)) return true;
+    used_[e] = false;
+  }
+  return false;
+}
+
+bool Matcher::match_arcs() {
+  std::vector<bool> taken(claimed_.arc.size(), false);
+  std::vector<FaceMap::Arc> arcs(claimed_.arc.size());
+  for (const FaceMap::Arc& own : map_.arc) {
+    const Graph::End p = end_[own.node[0]], q = end_[own.node[1]];
     const auto governs = [&](Site s, int side) {
-      return std::ranges::binary_search(map.region[own.region[side]].labels, s);
+      return std::ranges::binary_search(map_.region[own.region[side]].labels, s);
     };
     std::size_t k = 0;
     for (; k < taken.size(); ++k) {
-      const auto& [ends, site] = claimed.arc[k];
+      const auto& [ends, site] = claimed_.arc[k];
       if (!taken[k] && (ends == std::array{p, q} || ends == std::array{q, p}) &&
           ((governs(site[0], 0) && governs(site[1], 1)) ||
            (governs(site[0], 1) && governs(site[1], 0))))
         break;
     }
-    require(k < taken.size(), "diagram: an arc is missing, or not between these sites");
+    if (k == taken.size()) return false;
     taken[k] = true;
     arcs[k] = own;
-    if (claimed.arc[k].end[0] != p) std::swap(arcs[k].node[0], arcs[k].node[1]);
+    if (claimed_.arc[k].end[0] != p) std::swap(arcs[k].node[0], arcs[k].node[1]);
   }
-  map.arc = std::move(arcs);
+  map_.arc = std::move(arcs);
+  return true;
 }
+
+void Matcher::run() {
+  for (const FaceMap::Node& n : map_.node)
+    end_.push_back(n.kind == Kind::kSide
+                       ? Graph::End{Graph::kSide, static_cast<std::uint32_t>(n.side), n.change}
+                       : Graph::End{Graph::kConvexEdge, n.edge, 0});
+  std::vector<bool> loop(map_.node.size(), false);
+  for (const FaceMap::Arc& a : map_.arc)
+    if (a.node[0] == a.node[1]) loop[a.node[0]] = true;
+  for (std::uint32_t n = 0; n < map_.node.size(); ++n) {
+    if (loop[n])
+      end_[n] = {Graph::kLoop, 0, 0};
+    else if (map_.node[n].kind == Kind::kEvent || map_.node[n].kind == Kind::kRim)
+      event_.push_back(n);
+  }
+  find_candidates();
+  require(map_.arc.size() == claimed_.arc.size(), "diagram: another number of arcs");
+  require(match(0), "diagram: an arc is missing, or not between these sites");
+}
+
+}  // namespace
+
+void check_graph(FaceMap& map, const Graph& claimed) { Matcher(map, claimed).run(); }
 
 }  // namespace blum::verify

@@ -11,7 +11,9 @@ struct Graph {
   enum Kind : std::uint32_t { kSide, kConvexEdge, kEvent, kLoop };
   struct Event {
     bool rim = false;
-    std::array<double, 4> box{};  ///< u0, u1, v0, v1: holds this event and no other
+    /// u0, u1, v0, v1: holds this event and no other of its kind, unless these are nearer to each
+    /// other than doubles: such events are told by their arcs.
+    std::array<double, 4> box{};
   };
   struct Arc {
     std::array<End, 2> end;    ///< both kLoop: closed, without an event

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "failure.hpp"
+#include "exact.hpp"
 
 namespace blum::verify {
 
@@ -78,7 +78,13 @@ void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd
   require(depth < kMaxDepth, "line: bisection does not decide (Theorem D' on a line)");
   for (const double share : {0.5, 0.4375, 0.53125, 0.4609375}) {
     const double m = a.t + share * (b.t - a.t);
-    require(m > a.t && m < b.t, "line: no number left between two points (Theorem D' on a line)");
+    if (!(m > a.t && m < b.t)) {
+      require(a.triangle == kNone && b.triangle == kNone, "line: no number left beside a crossing");
+      const std::size_t n = algebra_.ties({line.axis, line.u, line.v, a.t, b.t}, sites);
+      require(n <= 1, "line: several ties between two numbers");
+      if (n == 1) out.push_back({false, 0, a, b});
+      return;
+    }
     const Point3 x = at(line, m);
     const auto outside = [&](const StretchEnd& e) {
       return e.triangle != kNone && exclusion_.sites().shape().side_of_plane(e.triangle, x) >= 0;

@@ -6,6 +6,8 @@
 
 namespace blum::verify {
 
+class Algebra;
+
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// The end of a stretch inside O: a double, or the crossing of a triangle, enclosed from outside.
@@ -37,10 +39,12 @@ struct Line {
 
 class LineSolver {
  public:
-  explicit LineSolver(const Exclusion& exclusion) : exclusion_(exclusion) {}
+  LineSolver(const Exclusion& exclusion, const Algebra& algebra)
+      : exclusion_(exclusion), algebra_(algebra) {}
 
   /// candidates: all governors of points of segment ∩ O; triangles: all that meet it. Throws
-  /// Failure where the segment is not in general position, or bisection does not decide.
+  /// Failure where the segment is not in general position, or neither bisection decides nor, where
+  /// no number is left between two, exact algebra.
   [[nodiscard]] Line solve(const Segment& segment, bool starts_inside,
                            std::span<const Site> candidates,
                            std::span<const std::uint32_t> triangles) const;
@@ -59,6 +63,7 @@ class LineSolver {
                                  std::vector<Line::Change>& out) const;
 
   const Exclusion& exclusion_;
+  const Algebra& algebra_;
 };
 
 }  // namespace blum::verify

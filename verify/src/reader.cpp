@@ -101,25 +101,31 @@ std::vector<PartNode> read_parts(const json& j, const Shape& shape) {
       continue;
     }
     if (kind == "outside") continue;
+    // A proposal, if the program has another reason; in older versions a list of sites, with
+    // directions or without.
     Claim& c = parts.back().claim;
-    c.sites = read_sites(p.at(1), shape.sites());
-    c.proposed = kind == "exact" || kind == "slice";  // older certificates propose nothing there
-    c.by_feet = kind == "feet" || kind == "feet chords";
-    if (kind == "star" || kind == "feet" || (c.proposed && p.size() > 2 && p[2].is_array())) {
-      for (const auto& d : p.at(2)) c.direction.emplace_back(site(d.at(0)), direction(d, 1));
-    } else if (kind == "chords" || kind == "feet chords") {
+    c.proposed = kind == "exact" || kind == "slice";
+    const bool older = c.proposed && (read_list(p.at(1)).empty() || !p[1][0].is_string());
+    const json& q = c.proposed && !older ? p[1] : p;
+    const std::string claimed = older ? "star" : q.at(0);
+    c.sites = read_sites(q.at(1), shape.sites());
+    c.by_feet = claimed == "feet" || claimed == "feet chords";
+    if (claimed == "star" || claimed == "feet") {
+      if (!older || (q.size() > 2 && q[2].is_array()))
+        for (const auto& d : q.at(2)) c.direction.emplace_back(site(d.at(0)), direction(d, 1));
+    } else if (claimed == "chords" || claimed == "feet chords") {
       c.type = Claim::Type::kChords;
-      for (const auto& d : p.at(2))
+      for (const auto& d : q.at(2))
         c.between.push_back({site(d.at(0)), site(d.at(1)), direction(d, 2)});
-      for (const auto& t : p.at(3))
+      for (const auto& t : q.at(3))
         c.parted.push_back({site(t.at(0)), site(t.at(1)), site(t.at(2))});
-    } else if (kind == "cone" || kind == "rim") {
-      c.type = kind == "cone" ? Claim::Type::kCone : Claim::Type::kRim;
-      c.vertex = vertex(p.at(2));
-      for (std::size_t k = 0; kind == "rim" && k < 2; ++k)
-        c.edge[k] = read_index(p.at(3 + k), shape.edge.size());
-    } else if (!c.proposed) {
-      throw Unreadable("unknown kind of part: " + kind);
+    } else if (claimed == "cone" || claimed == "rim") {
+      c.type = claimed == "cone" ? Claim::Type::kCone : Claim::Type::kRim;
+      c.vertex = vertex(q.at(2));
+      for (std::size_t k = 0; claimed == "rim" && k < 2; ++k)
+        c.edge[k] = read_index(q.at(3 + k), shape.edge.size());
+    } else {
+      throw Unreadable("unknown kind of part: " + claimed);
     }
   }
   return parts;

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "exact.hpp"
 #include "failure.hpp"
 #include "glue.hpp"
 #include "pruning.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kOldestVersion = 2, kMaxDepth = 1000;
+constexpr int kOldestVersion = 2, kPruningVersion = 3, kMaxDepth = 1000;
 constexpr int kNodeLooks = 40, kLeafLooks = 2000;  // at boxes, for one exclusion
 
 class Interrupted {};
@@ -31,12 +32,14 @@ class Checker {
       : shape_(shape),
         sites_(shape),
         exclusion_(sites_),
-        lines_(exclusion_),
+        algebra_(shape),
+        lines_(exclusion_, algebra_),
         reader_(in),
         progress_(progress),
         answer_(answer) {}
   void run(const std::string& fingerprint);
   [[nodiscard]] std::size_t line() const { return reader_.line(); }
+  [[nodiscard]] const Algebra& algebra() const { return algebra_; }
 
  private:
   /// Sites that may govern a cell as far as the certificate says, and those excluded above it of
@@ -62,6 +65,7 @@ class Checker {
   const Shape& shape_;
   Sites sites_;
   Exclusion exclusion_;
+  Algebra algebra_;
   LineSolver lines_;
   Reader reader_;
   const std::function<bool(double)>& progress_;
@@ -116,7 +120,7 @@ FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<cons
       it->second = lines_.solve(segment, inside(at(segment, segment.t0)), candidates, triangles);
     side[static_cast<std::size_t>(s)] = it->second;
   }
-  FaceMap map = check_face(exclusion_, rect, side, candidates, triangles, nodes);
+  FaceMap map = check_face(exclusion_, algebra_, rect, side, candidates, triangles, nodes);
   map.number = number;
   check_graph(map, graph);
   return map;
@@ -200,11 +204,12 @@ void Checker::check_interfaces() {
 }
 
 void Checker::check_complex() {
-  const Complex complex = glue(exclusion_, node_, leaf_, [this](const Rect& r) -> const FaceMap& {
-    const auto it = interface_.find(key_of(r));
-    require(it != interface_.end(), "gluing: the diagram of an interface is missing");
-    return it->second;
-  });
+  const Complex complex =
+      glue(exclusion_, algebra_, node_, leaf_, [this](const Rect& r) -> const FaceMap& {
+        const auto it = interface_.find(key_of(r));
+        require(it != interface_.end(), "gluing: the diagram of an interface is missing");
+        return it->second;
+      });
   const json j = reader_.next("complex");
   std::vector<std::size_t> cones(leaf_.size(), 0);
   for (const auto& c : j.at("cones")) {
@@ -217,7 +222,7 @@ void Checker::check_complex() {
   check_counts(complex, none, j, reader_.next("betti"), "the complex");
   answer_.betti = shape_.betti();
   if (!reader_.at("collapse") && !reader_.at("pruned")) return;
-  if (version_ < kFormatVersion) throw Unreadable("pruning, which this version has not");
+  if (version_ < kPruningVersion) throw Unreadable("pruning, which this version has not");
   Pruning pruning(shape_, complex);
   while (reader_.at("collapse")) pruning.collapse(reader_.next("collapse"));
   const json left = reader_.next("pruned");
@@ -323,6 +328,8 @@ Answer verify(const Model& model, std::istream& certificate,
   } catch (const Interrupted&) {
     end(Answer::Outcome::kUnreadable, "interrupted");
   }
+  answer.exact_parts = checker.algebra().diagrams;
+  answer.exact_segments = checker.algebra().segments;
   return answer;
 }
 

@@ -50,6 +50,7 @@ struct PartRecord {
   std::vector<std::array<SiteId, 3>> parted;
   std::uint32_t vertex = 0;
   std::array<std::uint32_t, 2> edge{};
+  bool plain = true;  ///< of the reasons of ProductionEngine::prefer_plain_reasons alone
 };
 
 }  // namespace blum

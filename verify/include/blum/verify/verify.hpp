@@ -1,5 +1,6 @@
 /// The independent checker of certificates (docs/certificate.md): it shares numbers with the rest
-/// of the program, and nothing that decides.
+/// of the program and nothing that decides, but for exact algebra where its own bounds do not
+/// suffice; Answer says how often.
 ///
 /// Every statement is checked against the model itself: that the leaves tile a box around the
 /// solid, that no site was excluded which governs something, that the diagrams on the faces of
@@ -26,8 +27,8 @@ struct Model {
   std::span<const std::array<std::uint32_t, 3>> triangle;
 };
 
-/// Of docs/certificate.md. The version before, which had no pruning, is read too.
-inline constexpr int kFormatVersion = 3;
+/// Of docs/certificate.md. Versions 2, which had no pruning, and 3 are read too.
+inline constexpr int kFormatVersion = 4;
 
 /// Identifies a model in certificates. Not cryptographic: a certificate is checked against the
 /// model given, whatever it says.
@@ -43,6 +44,8 @@ struct Answer {
   std::string statement;
   std::size_t line = 0;  ///< of the certificate, where it matters
   std::size_t leaves = 0, faces = 0, parts = 0, exclusions = 0;
+  /// Parts, and stretches of segments, that rest on the exact algebra that the program uses, too.
+  std::size_t exact_parts = 0, exact_segments = 0;
   std::array<long, 3> betti{};  ///< kVerified
   /// Pruning, where the certificate has it: cells that go in pairs; of the pieces of sheets among
   /// them, those whose angle was compared with the cost (docs/certificate.md), and all.
