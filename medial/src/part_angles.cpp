@@ -356,9 +356,13 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
 
 std::vector<std::uint32_t> PartBound::coarse_tasks() const {
   std::set<std::uint32_t> tasks;
-  for (const auto& items : {std::span(settled_), std::span(heap_)})
+  const auto add = [&](std::span<const Item> items) {
     for (const Item& item : items)
       if (item.bound.hi > lo_ + tolerance_ && size(item) < kSmall) tasks.insert(item.task);
+  };
+  add(settled_);
+  // Of a whole look boxes are left where bounds come slowly, too, and finer leaves are no help.
+  if (for_coarse_) add(heap_);
   return {tasks.begin(), tasks.end()};
 }
 
