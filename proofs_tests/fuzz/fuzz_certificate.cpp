@@ -9,43 +9,14 @@
 #include <sstream>
 #include <vector>
 
-#include "blum/kernel/shapes.hpp"
-#include "blum/medial/medial_axis.hpp"
 #include "blum/verify/verify.hpp"
+#include "certificate_scenes.hpp"
 #include "fuzz_target.hpp"
 
 namespace blum::fuzz {
 namespace {
 
 using Json = nlohmann::json;
-
-struct Scene {
-  std::vector<Point3> point;
-  std::vector<std::array<std::uint32_t, 3>> triangle;
-  std::array<long, 3> betti{};
-  std::vector<Json> record;
-
-  explicit Scene(const PolygonMesh& mesh) {
-    const Result<Solid> solid = build_solid(mesh);
-    point = solid.value().point;
-    for (const SolidTriangle& t : solid.value().triangle) triangle.push_back(t.vertex);
-    MedialOptions options;
-    options.threads = 1;
-    const auto result = compute_medial_axis(solid.value(), options, {}, [&](const std::string& l) {
-      record.push_back(Json::parse(l));
-      return true;
-    });
-    betti = result.value().solid_betti;
-  }
-};
-
-/// A block, one with a void (its axis has a sheet that is a sphere) and one with a curved sheet.
-const std::vector<Scene>& scenes() {
-  static const std::vector<Scene> list{
-      Scene(shapes::cuboid(1, 2, 3)), Scene(shapes::nested_voids(1)),
-      Scene(shapes::lbracket(2, 2, 1, 1)), Scene(shapes::prism(3, 1, 1))};
-  return list;
-}
 
 /// A part of the records, by way of a record and of children: a record's whole content first.
 Json& place(Choices& choices, std::vector<Json>& records) {
@@ -129,7 +100,7 @@ void change(Choices& choices, std::vector<Json>& records) {
   }
 }
 
-void check(const Scene& scene, const std::string& text) {
+void check(const CertificateScene& scene, const std::string& text) {
   std::istringstream in(text);
   try {
     const verify::Answer answer = verify::verify({scene.point, scene.triangle}, in);
@@ -150,7 +121,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   Choices choices(data, size);
   const int kind = choices.below(8);
-  const Scene& scene = scenes()[static_cast<std::size_t>(kind) % scenes().size()];
+  const std::vector<CertificateScene>& scenes = certificate_scenes();
+  const CertificateScene& scene = scenes[static_cast<std::size_t>(kind) % scenes.size()];
   if (kind >= 6) {
     check(scene, std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
     return 0;
