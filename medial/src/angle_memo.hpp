@@ -14,8 +14,8 @@ namespace blum {
 
 /// How carefully parts are looked at.
 struct AngleLook {
-  double tolerance_deg = 1;            ///< when to stop
-  std::size_t boxes_per_leaf = 20000;  ///< of a part; then it stops, too
+  double tolerance_deg = 0;        ///< when to stop
+  std::size_t boxes_per_leaf = 0;  ///< of a part; then it stops, too
   /// Which leaves are too coarse to say what belongs to the part? Boxes are looked at until they
   /// say that, but no further.
   bool for_coarse_leaves = false;

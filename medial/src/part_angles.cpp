@@ -93,8 +93,8 @@ class PartBound {
   [[nodiscard]] double size(const Item& item) const {
     return item.radius / radius_of(subdivision_.leaf[leaves_[tasks_[item.task].leaf].leaf].box);
   }
-  /// Takes the item out of the search, if more boxes are not what it needs.
-  [[nodiscard]] bool settles(const Item& item);
+  /// Are more boxes not what the item needs?
+  [[nodiscard]] bool settles(const Item& item, bool can_be_cut);
   void divide(const Item& item);
   void seek(std::uint32_t task, const AngleBox& within, const Box3& search, const AngleBound& top);
 
@@ -186,19 +186,13 @@ double cut_of(const Box3& box, int axis) {
   return box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
 }
 
-bool PartBound::settles(const Item& item) {
-  const Box3& box = item.box.box;
-  const int axis = longest_axis(box);
-  const double cut = cut_of(box, axis);
-  if (!(cut > box.lo[axis] && cut < box.hi[axis]) || box.hi[axis] - box.lo[axis] < kSmallest) {
+bool PartBound::settles(const Item& item, bool can_be_cut) {
+  if (!can_be_cut) {
     stuck_ = std::max(stuck_, item.bound.hi);
-  } else {
-    if (!for_coarse_) return false;
-    if (size(item) < kTiny) is_coarse_[item.task] = true;
-    if (!is_coarse_[item.task]) return false;
+    return true;
   }
-  settled_.push_back(item);
-  return true;
+  if (for_coarse_ && size(item) < kTiny) is_coarse_[item.task] = true;
+  return is_coarse_[item.task];
 }
 
 void PartBound::divide(const Item& item) {
@@ -213,6 +207,11 @@ void PartBound::divide(const Item& item) {
     }
   const int axis = longest_axis(box);
   const double cut = cut_of(box, axis);
+  if (settles(item, cut > box.lo[axis] && cut < box.hi[axis] &&
+                        box.hi[axis] - box.lo[axis] >= kSmallest)) {
+    settled_.push_back(item);
+    return;
+  }
   Box3 low = box, high = box;
   low.hi[axis] = high.lo[axis] = cut;
   add(item.task, low, item.box.candidates);
@@ -342,7 +341,7 @@ AngleInterval PartBound::run(const std::vector<AngleStart>& starts) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Item item = std::move(heap_.back());
     heap_.pop_back();
-    if (!(item.bound.hi > lo_) || settles(item)) continue;
+    if (!(item.bound.hi > lo_)) continue;
     ++idle_;
     if (idle_ < kPatience || idle_ % kPatience == 0)
       seek(item.task, item.box, item.box.box, item.bound);
