@@ -142,8 +142,6 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
     return *m.part;
   };
   const auto on_tie = [&](const Member& a, const Member& b, const Member* third) {
-    // The angle of two faces is the same everywhere.
-    if (a.view.is_face && b.view.is_face) return kPi;
     return angle_on_tie_at_most(geometry, a.view, b.view, third ? &third->view : nullptr, box.box);
   };
   AngleBound best[3];

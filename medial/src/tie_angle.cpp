@@ -15,6 +15,8 @@
 // Near 180 degrees the cosine says little. But r cos(angle / 2) is half of |v + w|, which is not
 // less than e.(v + w) for any unit vector e: a linear function, to be treated in the same way. Here
 // e is the direction of v + w where the ties would be if they were linear.
+//
+// In the same way the conditions of a domain, which are linear, may fail wherever the ties hold.
 
 #include "tie_angle.hpp"
 
@@ -98,6 +100,13 @@ double least_of(const Form& f, const HalfWidths& h) {
       spread += (f.curve[i][j] + f.curve[j][i]).magnitude() * h[i] * h[j];
   }
   return f.value.low() - spread * (1 + 1e-14) - 1e-300;
+}
+
+/// The same from above; of a linear form.
+double most_of(const Form& f, const HalfWidths& h) {
+  double spread = 0;
+  for (std::size_t i = 0; i < 3; ++i) spread += f.slope[i].magnitude() * h[i];
+  return f.value.high() + spread * (1 + 1e-14) + 1e-300;
 }
 
 /// The best multiples for the linear part of f, about.
@@ -190,7 +199,6 @@ double angle_on_tie_at_most(const SiteGeometry& geometry, const SiteView& a, con
     nearest = std::max(nearest, view->nearest);
     farthest = std::min(farthest, (view->distance.magnitude() + view->reach) * (1 + 1e-15));
   }
-  if (!(nearest > 0)) return kPi;
   const Carrier p = carrier(geometry, a), q = carrier(geometry, b);
   const Form vv = square(p), ww = square(q);
   std::array<Form, 2> tie{vv, vv};
@@ -206,6 +214,15 @@ double angle_on_tie_at_most(const SiteGeometry& geometry, const SiteView& a, con
     return least_of(form, h);
   };
 
+  for (const SiteView* view : {&a, &b, third}) {
+    if (!view) continue;
+    for (const HalfSpace& border : geometry.domain(view->site)) {
+      const Form form{
+          dot(border.w, difference(c, geometry.solid().point[border.base])), border.w, {}};
+      if (most_of(form, h) > 0 && least_on_ties(form) > 0) return 0;
+    }
+  }
+  if (!(nearest > 0) || (a.is_face && b.is_face)) return kPi;
   Form form = product(p, q);
   const double s = std::clamp(form.value.mid / std::sqrt(vv.value.mid * ww.value.mid), -1.0, 1.0);
   if (!std::isfinite(s)) return kPi;

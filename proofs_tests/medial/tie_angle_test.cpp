@@ -82,8 +82,24 @@ std::optional<Vector> on_tie(const SiteGeometry& geometry, const std::vector<Sit
 
 struct Figures {
   std::size_t points = 0, flat = 0, large = 0, bounds = 0, sharper = 0, of_three = 0,
-              sharper_third = 0;
+              sharper_third = 0, nowhere = 0;
 };
+
+/// Of a domain, or nearly.
+bool beyond_a_border(const SiteGeometry& geometry, const std::vector<SiteId>& site,
+                     const Vector& x) {
+  for (const SiteId s : site)
+    for (const HalfSpace& h : geometry.domain(s)) {
+      Vector w, from;
+      for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        w[i] = h.w[i].mid;
+        from[i] = x[i] - static_cast<Real>(geometry.solid().point[h.base][k]);
+      }
+      if (inner(w, from) > -1e-12L * std::sqrt(inner(w, w))) return true;
+    }
+  return false;
+}
 
 void check(const SiteGeometry& geometry, const std::vector<SiteId>& site, const Box3& box,
            std::mt19937_64& random, Figures& figures) {
@@ -109,6 +125,11 @@ void check(const SiteGeometry& geometry, const std::vector<SiteId>& site, const 
     figures.of_three += third ? 1 : 0;
     figures.large += found > 3 ? 1 : 0;
     figures.flat += box.lo.x == box.hi.x ? 1 : 0;
+    if (bound == 0) {
+      ++figures.nowhere;
+      EXPECT_TRUE(beyond_a_border(geometry, site, *tie));
+      continue;
+    }
     // The unit vectors are rounded here.
     EXPECT_LE(found, bound + 1e-12L / std::max<Real>(1e-6L, std::sin(found)));
   }
@@ -153,6 +174,7 @@ TEST(TieAngle, PointsOnTies_AreWithinTheBound) {
   EXPECT_GT(figures.large, 20u);
   EXPECT_GT(figures.sharper, figures.bounds / 4);
   EXPECT_GT(figures.sharper_third, 20u);
+  EXPECT_GT(figures.nowhere, 100u);
 }
 
 // About a point of the sheet of two parallel edges, in boxes that are long along them and a tenth,
