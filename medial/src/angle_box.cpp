@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <bit>
 
+#include "tie_angle.hpp"
+
 namespace blum {
 namespace {
+
+constexpr std::size_t kMostThirds = 8;  // that are looked at, one by one
 
 struct Member {
   SiteView view;
@@ -119,18 +123,26 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
     }
     return kItself;
   };
-  // Of a seam with feet in three groups: other sites that may tie with both make three?
-  const auto meets_a_third = [&](const Member& a, const Member& b) {
+  // Of a seam with feet in three groups: those in other groups that may tie with both; none where
+  // there are no three.
+  const auto thirds = [&](const Member& a, const Member& b) {
+    std::vector<const Member*> found;
     GroupSet met = a.group | b.group;
     for (const Member& c : member)
-      if (std::popcount(met & role.a) < 3 && may_tie(a.view, c.view, radius) &&
-          may_tie(b.view, c.view, radius))
+      if ((c.group & role.a & ~(a.group | b.group)) && may_tie(a.view, c.view, radius) &&
+          may_tie(b.view, c.view, radius)) {
+        found.push_back(&c);
         met |= c.group;
-    return std::popcount(met & role.a) >= 3;
+      }
+    if (std::popcount(met & role.a) < 3) found.clear();
+    return found;
   };
   const auto part = [&](Member& m) -> const Governed& {
     if (!m.part) m.part = governed(geometry, m.view, box.box);
     return *m.part;
+  };
+  const auto on_tie = [&](const Member& a, const Member& b, const Member* third) {
+    return angle_on_tie_at_most(geometry, a.view, b.view, third ? &third->view : nullptr, box.box);
   };
   AngleBound best[3];
   for (std::size_t i = 0; i < member.size(); ++i)
@@ -139,11 +151,18 @@ AngleBound bound_in_box(const SiteGeometry& geometry, TiePairs& pairs, const Lea
       const Count c = count(a.group, b.group);
       if (c == kNot) continue;
       if (angle_at_most(a.view, b.view) <= best[c].hi || !may_tie(a.view, b.view, radius)) continue;
-      if (role.kind == Kind::kSeam && role.distinct && !alone(a.group, b.group) &&
-          !meets_a_third(a, b))
-        continue;
-      if (pairs.never(a.view.site, b.view.site)) continue;
-      const double hi = angle_at_most(a.view, part(a), b.view, part(b));
+      const bool with_third = role.kind == Kind::kSeam && role.distinct &&
+                              std::popcount((a.group | b.group) & role.a) < 3 &&
+                              !alone(a.group, b.group);
+      const auto third = with_third ? thirds(a, b) : std::vector<const Member*>{};
+      if ((with_third && third.empty()) || pairs.never(a.view.site, b.view.site)) continue;
+      double hi = angle_at_most(a.view, part(a), b.view, part(b));
+      if (hi > best[c].hi) hi = std::min(hi, on_tie(a, b, nullptr));
+      if (hi > best[c].hi && with_third && third.size() <= kMostThirds) {
+        double most = 0;
+        for (const Member* m : third) most = std::max(most, on_tie(a, b, m));
+        hi = std::min(hi, most);
+      }
       if (hi > best[c].hi) best[c] = {hi, a.view.site, b.view.site};
     }
   if (best[kItself].hi == 0) return {};

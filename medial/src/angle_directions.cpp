@@ -93,15 +93,32 @@ Fan fan_about(const Direction& axis, std::span<const Direction> all) {
   return {axis, spread < 0.499 * kPi ? spread : kPi};
 }
 
+/// Along a unit vector e the vector to the carrier changes by its component across the carrier.
+double reach_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
+  const double radius = radius_of(box);
+  const SiteKind kind = geometry.index().kind(site);
+  if (kind == SiteKind::kVertex) return radius;
+  const Point3 c = center_of(box);
+  double reach = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Ball along = square(geometry.unit(site)[k]);
+    const Ball across = kind == SiteKind::kFace ? along : Ball(1) - along;
+    const double half = std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
+    reach += std::sqrt(std::max(0.0, across.high())) * half;
+  }
+  return std::min(radius, reach * (1 + 1e-14) + 1e-150);
+}
+
 SiteView view_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
   SiteView view;
   view.site = site;
   view.is_face = geometry.index().kind(site) == SiteKind::kFace;
   const Point3 c = center_of(box);
-  const BallVector w = to_carrier(geometry, site, c);
+  const BallVector w = view.at_center = to_carrier(geometry, site, c);
   view.distance =
       view.is_face ? dot(geometry.unit(site), difference(geometry.base(site), c)) : length_of(w);
-  view.nearest = std::max(0.0, (view.distance.low() - radius_of(box)) * (1 - 1e-15));
+  view.reach = reach_of(geometry, site, box);
+  view.nearest = std::max(0.0, (view.distance.low() - view.reach) * (1 - 1e-15));
   std::vector<Direction> direction;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     Point3 x;
@@ -233,7 +250,8 @@ bool may_tie(const SiteView& a, const SiteView& b, double radius) {
   // here, nor of what is governed.
   const double slope = 2 * std::sin(0.5 * angle_at_most(a.all, b.all)) * (1 + 1e-14) + 1e-14;
   const Ball gap = a.distance - b.distance;
-  return std::abs(gap.mid) - gap.rad <= slope * radius + 1e-300;
+  return std::abs(gap.mid) - gap.rad <=
+         std::min(slope * radius, (a.reach + b.reach) * (1 + 1e-15)) + 1e-300;
 }
 
 }  // namespace blum

@@ -44,11 +44,13 @@ struct Fan {
 /// Of one site, over a box.
 struct SiteView {
   SiteId site;
-  Fan all;        ///< about the direction at the centre
-  Ball distance;  ///< of the centre from the carrier
+  Fan all;               ///< about the direction at the centre
+  BallVector at_center;  ///< from the centre to its foot on the carrier
+  Ball distance;         ///< of the centre from the carrier
   bool is_face = false;
   std::array<RoundedVector, 8> to_foot;  ///< from the corners of the box to their feet
-  double nearest = 0;                    ///< no point of the box is nearer to the carrier
+  double reach = 0;    ///< the vector to the foot changes by no more from the centre to any point
+  double nearest = 0;  ///< no point of the box is nearer to the carrier
 };
 
 /// What is left of a view where only points count that the site governs.

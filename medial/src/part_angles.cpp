@@ -35,14 +35,40 @@ constexpr double kCut = 0.4878;
 constexpr int kPatience = 12;  // boxes without a better witness after which it is seldom looked for
 constexpr int kHope = 400;     // the same where nothing but a witness can help
 
+constexpr double kLength = 1.0 / 32;  // so slim may boxes be
+
+/// Along which axis vectors to the carriers of the candidates change most over the box, and how
+/// much at most. A part of the length counts in any case: where domains end is not in it.
+struct Change {
+  int axis = 0;
+  double most = 0;
+};
+Change largest_change(const SiteGeometry& geometry, const AngleBox& box) {
+  std::array<double, 3> square;  // of the change, by the box's length
+  square.fill(kLength * kLength);
+  for (const SiteId s : box.candidates) {
+    const SiteKind kind = geometry.index().kind(s);
+    for (int k = 0; k < 3; ++k) {
+      const double u = kind == SiteKind::kVertex ? 0 : geometry.unit(s)[k].mid;
+      square[k] = std::max(square[k], kind == SiteKind::kFace ? u * u : 1 - u * u);
+    }
+  }
+  Change largest;
+  for (int k = 0; k < 3; ++k) {
+    const double change = std::sqrt(square[k]) * (box.box.hi[k] - box.box.lo[k]);
+    if (change > largest.most) largest = {k, change};
+  }
+  return largest;
+}
+
 struct Item {
   AngleBound bound;
   std::uint32_t task = 0;
   AngleBox box;
-  double radius = 0;  // of the box
+  Change change;
   /// Of equal bounds the smaller box first: it soon tells whether more boxes are of use.
   friend bool operator<(const Item& a, const Item& b) {
-    return std::pair(a.bound.hi, -a.radius) < std::pair(b.bound.hi, -b.radius);
+    return std::pair(a.bound.hi, -a.change.most) < std::pair(b.bound.hi, -b.change.most);
   }
 };
 
@@ -91,7 +117,8 @@ class PartBound {
   }
   /// The item as part of its leaf.
   [[nodiscard]] double size(const Item& item) const {
-    return item.radius / radius_of(subdivision_.leaf[leaves_[tasks_[item.task].leaf].leaf].box);
+    return 0.5 * item.change.most /
+           radius_of(subdivision_.leaf[leaves_[tasks_[item.task].leaf].leaf].box);
   }
   /// Are more boxes not what the item needs?
   [[nodiscard]] bool settles(const Item& item, bool can_be_cut);
@@ -121,8 +148,8 @@ void PartBound::add(std::uint32_t task, Box3 box, const std::vector<SiteId>& can
   Item item;
   item.task = task;
   item.box.box = box;
-  item.radius = radius_of(box);
   if (!stop_) item.box.candidates = tools_.engine.prune(candidates, box.lo, box.hi);
+  item.change = largest_change(geometry_, item.box);
   const AngleTask& t = tasks_[task];
   item.bound = stop_ ? AngleBound{kPi, {}, {}}
                      : bound_in_box(geometry_, tools_.pairs, leaves_[t.leaf], t.role, item.box);
@@ -175,13 +202,6 @@ std::optional<std::uint32_t> common_vertex(const SiteGeometry& geometry, const A
   return std::nullopt;
 }
 
-int longest_axis(const Box3& box) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
-  return axis;
-}
-
 double cut_of(const Box3& box, int axis) {
   return box.lo[axis] + kCut * (box.hi[axis] - box.lo[axis]);
 }
@@ -205,7 +225,7 @@ void PartBound::divide(const Item& item) {
         add(item.task, facet, item.box.candidates);
       return;
     }
-  const int axis = longest_axis(box);
+  const int axis = item.change.axis;
   const double cut = cut_of(box, axis);
   if (settles(item, cut > box.lo[axis] && cut < box.hi[axis] &&
                         box.hi[axis] - box.lo[axis] >= kSmallest)) {
@@ -248,7 +268,7 @@ void PartBound::find_meeting(const AngleTask& task, std::vector<AngleBox> boxes,
     std::vector<AngleBox> halves;
     double least = kPi, most = 0;
     for (const AngleBox& b : boxes) {
-      const int axis = longest_axis(b.box);
+      const int axis = largest_change(geometry_, b).axis;
       const double cut = cut_of(b.box, axis);
       for (const bool high : {false, true}) {
         AngleBox half = b;

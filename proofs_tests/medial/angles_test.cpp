@@ -417,12 +417,12 @@ std::vector<std::pair<std::string, PolygonMesh>> angle_sweep() {
   }
   list.emplace_back("voids_2", shapes::nested_voids(2));
   list.emplace_back("torus_8_4", shapes::torus(8, 4, 3, 1));
+  list.emplace_back("torus_16_8", shapes::torus(16, 8, 3, 1));
   return list;
 }
 
-// What is asked for is reached on nearly all parts, with the geometry of 3 % and without.
+// What is asked for is reached on all parts, with the geometry of 3 % and without.
 TEST(SweepSeparationAngles, Tolerance_IsReached) {
-  std::size_t wide = 0, all = 0;
   for (const auto& [name, mesh] : angle_sweep())
     for (const double epsilon : {0.0, 0.03}) {
       SCOPED_TRACE(name + " " + std::to_string(epsilon));
@@ -430,10 +430,8 @@ TEST(SweepSeparationAngles, Tolerance_IsReached) {
       const std::size_t parts = r.angles->sheet.size() + r.angles->seam.size();
       std::cout << name << " epsilon " << epsilon << ": " << r.angles->wide << " of " << parts
                 << " parts wider, the widest " << r.angles->widest_deg << std::endl;
-      wide += r.angles->wide;
-      all += parts;
+      EXPECT_EQ(r.angles->wide, 0u);
     }
-  EXPECT_LE(200 * wide, all);
 }
 
 TEST(SeparationAngles, Threads_DoNotMatter) {
