@@ -32,7 +32,7 @@ void check_side(const FaceDiagram& d, std::size_t s, Line& line) {
 }
 
 std::vector<SiteId> ids(std::span<const Site> sites) {
-  if (sites.size() > kMostSites) throw Algebra::Undecided("too many sites for exact algebra");
+  if (sites.size() > kMostSites) throw Undecided("too many sites for exact algebra");
   std::vector<SiteId> list;
   for (const Site s : sites) list.push_back({s});
   return list;

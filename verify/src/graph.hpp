@@ -1,7 +1,7 @@
 /// The graph on a rectangle as a certificate states it, compared with the one that was found.
 #pragma once
 
-#include "face.hpp"
+#include "face_map.hpp"
 
 namespace blum::verify {
 
