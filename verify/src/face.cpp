@@ -151,12 +151,9 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
     const Point3 &lo = part.box.lo, &hi = part.box.hi;
     const int u = u_axis(part.axis), v = v_axis(part.axis);
     const auto center =
-        map_.new_node({rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
-                       0,
-                       0,
-                       0,
-                       {lo[u], hi[u], lo[v], hi[v]},
-                       runs.front()});
+        map_.new_node({.kind = rim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
+                       .box = {lo[u], hi[u], lo[v], hi[v]},
+                       .piece = runs.front()});
     for (std::size_t k = 0; k < n; ++k)
       map_.add_arc({{center, ends[k]}, {runs[before(k)], runs[k]}});
   }
@@ -165,11 +162,9 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
 /// Those listed, and all that are not shown to govern nothing.
 std::vector<Site> FaceChecker::may_govern(const Box& box, std::span<const Site> listed) const {
   std::vector<Site> sites;
-  const Box3 part = box_of(box.rect);
   std::ranges::copy_if(box.candidates, std::back_inserter(sites), [&](Site s) {
     return std::ranges::binary_search(listed, s) ||
-           !(exclusion_.governs_nothing(s, part, listed, triangles_) ||
-             exclusion_.governs_nothing(s, part, box.candidates, triangles_, 20000));
+           !exclusion_.governs_nothing(s, box_of(box.rect), listed, triangles_);
   });
   return sites;
 }

@@ -28,14 +28,16 @@ std::uint32_t MapBuilder::new_node(const FaceMap::Node& node, bool through) {
 std::uint32_t MapBuilder::node_of(const Step& separator) {
   if (separator.kind == Step::Kind::kTie) return separator.id;
   const auto [it, fresh] = convex_node_.try_emplace(separator.id, 0u);
-  if (fresh) it->second = new_node({FaceMap::Node::Kind::kConvexEdge, 0, 0, separator.id});
+  if (fresh)
+    it->second = new_node({.kind = FaceMap::Node::Kind::kConvexEdge, .edge = separator.id});
   return it->second;
 }
 
 Line MapBuilder::name(Line line, int side) {
   for (std::uint32_t k = 0; k < line.change.size(); ++k)
     if (!line.change[k].boundary)
-      line.change[k].id = new_node({FaceMap::Node::Kind::kSide, side, k}, side < 0);
+      line.change[k].id =
+          new_node({.kind = FaceMap::Node::Kind::kSide, .side = side, .change = k}, side < 0);
   for (Line::Piece& p : line.piece)
     if (p.inside) p.id = new_element();
   return line;
