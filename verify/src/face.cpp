@@ -11,8 +11,6 @@
 namespace blum::verify {
 namespace {
 
-constexpr int kMostHalvings = 6;  // of a part that exact algebra does not decide
-
 class FaceChecker {
  public:
   FaceChecker(const Exclusion& exclusion, const Algebra& algebra, const Rect& rect,
@@ -39,10 +37,8 @@ class FaceChecker {
                           const std::vector<Circle>& circles, const Claim& claim) const;
   void record(const Circle& circle, const Part& part, const Groups& feet, bool rim,
               const Groups* chords);
-  void check_exact(const Box& box, const Border& border, std::span<const Site> listed,
-                   std::span<const Site> sites, const std::string& reason, int halvings);
   void record_exact(const Box& box, const Border& border, std::span<const Site> listed,
-                    const FaceMap& map);
+                    std::span<const Site> sites);
   [[nodiscard]] std::vector<Site> may_govern(const Box& box, std::span<const Site> listed) const;
 
   const Exclusion& exclusion_;
@@ -169,46 +165,18 @@ std::vector<Site> FaceChecker::may_govern(const Box& box, std::span<const Site> 
   return sites;
 }
 
-/// By exact algebra, on halves of the part where it does not decide. The problem is of the
-/// checker's own: `sites` and triangles are all that it could not exclude itself, whatever is
-/// listed.
-void FaceChecker::check_exact(const Box& box, const Border& border, std::span<const Site> listed,
-                              std::span<const Site> sites, const std::string& reason,
-                              int halvings) {
-  if (border.circle.empty() && !border.loop) return;
-  std::string last;
-  try {
-    std::vector<std::uint32_t> triangles;
-    const bool crossed = std::ranges::any_of(box.side, [](const Line& side) {
-      return std::ranges::find(side.piece, false, &Line::Piece::inside) != side.piece.end();
-    });
-    if (crossed || !traces_.edges_in(box.rect).empty())
-      triangles = exclusion_.sites().meeting(triangles_, box_of(box.rect));
-    return record_exact(box, border, listed,
-                        algebra_.diagram(box.rect, box.side, sites, triangles));
-  } catch (const Undecided& undecided) {
-    last = undecided.what();
-  }
-  const Rect& r = box.rect;
-  const bool along_u = r.u1 - r.u0 > r.v1 - r.v0;
-  const double low = along_u ? r.u0 : r.v0, m = low + 0.4375 * ((along_u ? r.u1 : r.v1) - low);
-  const auto undecided = [&](const std::string& why) {
-    return Undecided("a part that only exact algebra or Theorem S decides: " + reason + "; " + why);
-  };
-  if (halvings == 0 || !(m > low && m < (along_u ? r.u1 : r.v1))) throw undecided(last);
-  std::array<Box, 2> halves;
-  try {
-    halves = cut(box, along_u, m);
-  } catch (const Failure& failure) {  // the certificate says nothing of this cut
-    throw undecided(last + "; " + failure.what());
-  }
-  for (const Box& half : halves)
-    check_exact(half, traces_.border(half), listed, may_govern(half, listed), reason, halvings - 1);
-}
-
-/// What exact algebra found has to fit what is known of the border without it.
+/// By exact algebra. The problem is of the checker's own: `sites` and triangles are all that it
+/// could not exclude itself, whatever is listed; and what is found has to fit the border found
+/// without it.
 void FaceChecker::record_exact(const Box& box, const Border& border, std::span<const Site> listed,
-                               const FaceMap& map) {
+                               std::span<const Site> sites) {
+  std::vector<std::uint32_t> triangles;
+  const bool crossed = std::ranges::any_of(box.side, [](const Line& side) {
+    return std::ranges::find(side.piece, false, &Line::Piece::inside) != side.piece.end();
+  });
+  if (crossed || !traces_.edges_in(box.rect).empty())
+    triangles = exclusion_.sites().meeting(triangles_, box_of(box.rect));
+  const FaceMap map = algebra_.diagram(box.rect, box.side, sites, triangles);
   for (const FaceMap::Region& r : map.region)
     require(std::ranges::includes(listed, r.labels),
             "face: a site that governs a part by exact algebra is missing");
@@ -265,6 +233,7 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
   const Groups feet = groups_by_feet(exclusion_.sites(), part.sites, shared);
   bool rim = false;
   std::pair<Groups, bool> star;
+  std::string reason;  // why the claim is not shown
   try {
     require(!border.loop, "face: a closed curve of ∂O inside a part");
     require(std::ranges::includes(part.sites, sites),
@@ -275,7 +244,13 @@ void FaceChecker::check_part(const Box& box, const Claim& claim) {
       rim = check_about_vertex(part, shared, feet, border.circle, claim);
   } catch (const Failure& failure) {
     if (!claim.proposed) throw;
-    return check_exact(box, border, part.sites, sites, failure.what(), kMostHalvings);
+    reason = failure.what();
+  }
+  try {
+    if (!reason.empty()) return record_exact(box, border, part.sites, sites);
+  } catch (const Undecided& undecided) {
+    throw Undecided("a part that only exact algebra or Theorem S decides: " + reason + "; " +
+                    undecided.what());
   }
   for (const Circle& c : border.circle)
     record(c, part, feet, rim, star.second ? &star.first : nullptr);
