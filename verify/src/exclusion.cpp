@@ -147,7 +147,8 @@ bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
                                 std::span<const std::uint32_t> triangles, int most) const {
   int looks = most;
-  return outside_polar_cone(s, box) || halves(s, box, against, triangles, looks);
+  return outside_polar_cone(s, box) || halves(s, box, against, triangles, looks) ||
+         (looks < 0 && sites_.beyond_two(s, box));
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

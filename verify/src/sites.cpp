@@ -86,6 +86,18 @@ bool Sites::beyond(Site s, const Box3& box) const {
   });
 }
 
+bool Sites::beyond_two(Site s, const Box3& box) const {
+  std::vector<std::vector<Rational>> value;  // by condition, corner
+  for (const Condition& c : conditions(s)) {
+    value.emplace_back();
+    for (const Point3& x : corners_of(box))
+      value.back().push_back(inner(c.w.as<Rational>(), shape_.from<Rational>(c.base, x)));
+    for (const auto& other : std::span(value).first(value.size() - 1))
+      if (exclude_each_other(value.back(), other)) return true;
+  }
+  return false;
+}
+
 bool Sites::covers_inside(Site face, const Box3& box) const {
   if (hold(conditions(face), box)) return true;
   const auto t = shape_.element(face);

@@ -48,6 +48,8 @@ class Sites {
   }
   /// Is one condition violated at every point of the box?
   [[nodiscard]] bool beyond(Site s, const Box3& box) const;
+  /// Is one of two conditions violated at every point of the box, though neither on the whole?
+  [[nodiscard]] bool beyond_two(Site s, const Box3& box) const;
   /// Does every point of the box project into the closed site?
   [[nodiscard]] bool covers(Site s, const Box3& box) const { return hold(own_conditions(s), box); }
   /// And lie on the inner side of this face? Or leave it across a flat edge only, for the other
