@@ -7,7 +7,7 @@
 
 namespace blum::verify {
 
-constexpr int kMaxDepth = 100;  // of bisection
+constexpr int kMaxDepth = 100, kPatience = 12;  // bisections; halves are the cheaper reason first
 
 /// A governor of x, if all governors of x are ties that are never essential (Lemma 1).
 std::optional<Site> LineSolver::label(const Point3& x, std::span<const Site> candidates) const {
@@ -19,15 +19,16 @@ std::optional<Site> LineSolver::label(const Point3& x, std::span<const Site> can
   return found.front();
 }
 
-/// "Lines" of docs/proofs.md, by slopes at the ends.
+/// "Lines" of docs/proofs.md; by slopes at the ends alone, unless thorough.
 bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
-                             std::span<const Site> sites, const Box3& box,
+                             std::span<const Site> sites, const Groups& groups,
+                             const SharedFeet& feet, bool thorough,
                              std::vector<Line::Change>& out) const {
-  const Groups groups = groups_by_ties(exclusion_.sites(), sites, box);
   if (!groups.cliques) return false;
   const std::uint32_t n = groups.count, first = groups.find(sites, a.label),
                       last = groups.find(sites, b.label);
   require(first < n && last < n, "line: the governor of an end was excluded");
+  const Box3& box = feet.box();
   Vec<Rational> axis{};
   axis[static_cast<std::size_t>(line.axis)] = 1;
   const Exact w(axis);
@@ -37,12 +38,16 @@ bool LineSolver::at_most_one(const Segment& line, const StretchEnd& a, const Str
     for (std::size_t j = 0; j < i; ++j) {
       const Site p = sites[i], q = sites[j];
       const std::size_t g = groups.of[i], h = groups.of[j];
-      if (g == h || (walk[g * n + h] && walk[h * n + g]) || exclusion_.never_tie(p, q, box))
+      if (g == h || (walk[g * n + h] && walk[h * n + g]) || exclusion_.never_tie(p, q, box) ||
+          (thorough && !may_both_govern(exclusion_, box, p, q)))
         continue;
       const int low = exclusion_.sites().slope(box.lo, p, q, w),
                 high = exclusion_.sites().slope(box.hi, p, q, w);
-      if (low != -1 || high != -1) walk[g * n + h] = true;
-      if (low != 1 || high != 1) walk[h * n + g] = true;
+      const auto gain = [&](int sign, Site x, Site y) {
+        return (low == sign && high == sign) || (thorough && gains(exclusion_, box, feet, x, y, w));
+      };
+      if (!gain(-1, p, q)) walk[g * n + h] = true;
+      if (!gain(1, q, p)) walk[h * n + g] = true;
     }
   // Every walk from the first to the last has one step (none, if they are the same)?
   for (std::uint32_t k = 0; k < n; ++k)
@@ -60,8 +65,16 @@ void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd
                       std::span<const Site> candidates, std::vector<Line::Change>& out,
                       int depth) const {
   const Box3 box{at(line, std::min(a.t, b.t)), at(line, std::max(a.t, b.t))};
-  const std::vector<Site> sites = exclusion_.remaining(candidates, box);
-  if (at_most_one(line, a, b, sites, box, out)) return;
+  std::vector<Site> sites = exclusion_.remaining(candidates, box);
+  const bool thorough = depth >= kPatience;
+  if (thorough) std::erase_if(sites, [&](Site s) { return exclusion_.outside_polar_cone(s, box); });
+  const SharedFeet feet(exclusion_, sites, box);
+  const auto decided = [&](const Groups& groups) {
+    return at_most_one(line, a, b, sites, groups, feet, thorough, out);
+  };
+  if (decided(groups_by_ties(exclusion_.sites(), sites, box)) ||
+      (thorough && decided(groups_by_feet(exclusion_.sites(), sites, feet))))
+    return;
   if (depth == kMaxDepth) throw Undecided("line: bisection does not decide (Theorem D' on a line)");
   for (const double share : {0.5, 0.4375, 0.53125, 0.4609375}) {
     const double m = a.t + share * (b.t - a.t);

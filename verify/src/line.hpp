@@ -58,7 +58,8 @@ class LineSolver {
   void ties(const Segment& line, const StretchEnd& a, const StretchEnd& b,
             std::span<const Site> candidates, std::vector<Line::Change>& out, int depth) const;
   [[nodiscard]] bool at_most_one(const Segment& line, const StretchEnd& a, const StretchEnd& b,
-                                 std::span<const Site> sites, const Box3& box,
+                                 std::span<const Site> sites, const Groups& groups,
+                                 const SharedFeet& feet, bool thorough,
                                  std::vector<Line::Change>& out) const;
 
   const Exclusion& exclusion_;
