@@ -44,19 +44,17 @@ std::vector<Fork> forks(const verify::Shape& shape) {
   return found;
 }
 
-/// Boxes about ties, mostly close to the rim where no bound of the slope tells which edge gains.
-TEST(VerifyGains, OfEdgesAtAVertex_AtTiesTheSlopeIsAsSaid) {
+/// Boxes about ties, mostly close to the rim, and boxes beside them.
+TEST(VerifyGains, OfEdgesAtAVertex_NeverTieIsFalseAboutTies) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> signed_one(-1, 1);
-  int decided = 0, ties = 0, apart = 0;
+  std::size_t boxes = 0, apart = 0;
   for (const PolygonMesh& mesh : {shapes::lpocket(), shapes::rotate_rounded(shapes::lpocket(), 3),
                                   shapes::rotate_rounded(shapes::torus(8, 4, 2, 0.75), 1)}) {
     const Solid solid = build_solid(mesh).value();
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (const SolidTriangle& t : solid.triangle) triangles.push_back(t.vertex);
     const verify::Shape shape(solid.point, triangles);
-    const verify::Sites sites(shape);
-    const verify::Exclusion exclusion(sites);
     for (const Fork& f : forks(shape)) {
       const Vector across = unit(verify::outer(f.along_a, f.along_b)),
                    middle = unit(verify::plus(f.along_a, f.along_b));
@@ -72,25 +70,8 @@ TEST(VerifyGains, OfEdgesAtAVertex_AtTiesTheSlopeIsAsSaid) {
         box.lo[k] = static_cast<double>(center[k]) - size;
         box.hi[k] = static_cast<double>(center[k]) + size;
       }
+      ++boxes;
       EXPECT_FALSE(verify::never_tie_from_vertex(shape, box, f.a, f.b));
-      const std::vector<verify::Site> list{f.a, f.b};
-      const verify::SharedFeet feet(exclusion, list, box);  // without the vertex
-      const Vec<verify::Rational> w{signed_one(random), signed_one(random), signed_one(random)};
-      const bool a = verify::gains_from_vertex(shape, box, feet, f.a, f.b, w),
-                 b = verify::gains_from_vertex(shape, box, feet, f.b, f.a, w);
-      EXPECT_FALSE(a && b);
-      decided += a || b ? 1 : 0;
-      for (const Real share : {1e-6L, 0.01L, 0.2L, 0.5L, 0.9L}) {
-        const Vector d = verify::minus(tie(share * size), f.v);
-        const Vector slope =
-            verify::minus(verify::times(f.along_b, 2 * verify::inner(d, f.along_b)),
-                          verify::times(f.along_a, 2 * verify::inner(d, f.along_a)));
-        Real along = 0;
-        for (std::size_t k = 0; k < 3; ++k) along += slope[k] * w[k].get_d();
-        if (a) EXPECT_LT(along, 0);
-        if (b) EXPECT_GT(along, 0);
-        ++ties;
-      }
       // Beside the plane of ties they do not tie; the box reaches 2 size from its centre.
       Box3 beside = box;
       for (int k = 0; k < 3; ++k) {
@@ -102,8 +83,7 @@ TEST(VerifyGains, OfEdgesAtAVertex_AtTiesTheSlopeIsAsSaid) {
       apart += verify::never_tie_from_vertex(shape, beside, f.a, f.b) ? 1 : 0;
     }
   }
-  EXPECT_GT(decided, ties / 20);
-  EXPECT_GT(apart, ties / 20);
+  EXPECT_GT(apart, boxes / 4);
 }
 
 /// A line passes the rim of two edges inside the solid at a distance of 1e-17.

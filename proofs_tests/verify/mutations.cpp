@@ -384,9 +384,12 @@ const std::vector<Mutation>& false_mutations() {
        [](const C&, Records& r, Random& random) {
          std::size_t event = 0;
          Json* const face = any_event(r, random, event);
-         if (face == nullptr || (*face)["graph"]["events"].size() < 2) return false;
-         Json& e = (*face)["graph"]["events"][event];
-         e = Json::array({e[0], -10.0, 10.0, -10.0, 10.0});
+         if (face == nullptr) return false;
+         Json& events = (*face)["graph"]["events"];
+         const Json kind = events[event][0];  // one of another kind may be in the box
+         if (std::ranges::count_if(events, [&](const Json& e) { return e[0] == kind; }) < 2)
+           return false;
+         events[event] = Json::array({kind, -10.0, 10.0, -10.0, 10.0});
          return true;
        }},
       {"an interface of a leaf that it is not on",

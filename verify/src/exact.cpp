@@ -32,28 +32,22 @@ void check_side(const FaceDiagram& d, std::size_t s, Line& line) {
 }
 
 std::vector<SiteId> ids(std::span<const Site> sites) {
-  if (sites.size() > kMostSites) throw Algebra::Undecided("too many sites for exact algebra");
+  if (sites.size() > kMostSites) throw Undecided("too many sites for exact algebra");
   std::vector<SiteId> list;
   for (const Site s : sites) list.push_back({s});
   return list;
 }
 
 FaceMap::Node node_of(const FaceNode& n, const Rect& r) {
-  switch (n.kind) {
-    case FaceNode::Kind::kSide:
-      return {FaceMap::Node::Kind::kSide, n.side, n.breakpoint, 0, {}, n.piece};
-    case FaceNode::Kind::kConvexEdge:
-      return {FaceMap::Node::Kind::kConvexEdge, 0, 0, n.boundary_edge, {}, n.piece};
-    case FaceNode::Kind::kEvent:
-    case FaceNode::Kind::kRim:
-      break;
-  }
-  return {n.kind == FaceNode::Kind::kRim ? FaceMap::Node::Kind::kRim : FaceMap::Node::Kind::kEvent,
-          0,
-          0,
-          0,
-          {std::max(n.u0, r.u0), std::min(n.u1, r.u1), std::max(n.v0, r.v0), std::min(n.v1, r.v1)},
-          n.piece};
+  using Kind = FaceMap::Node::Kind;
+  if (n.kind == FaceNode::Kind::kSide)
+    return {.kind = Kind::kSide, .side = n.side, .change = n.breakpoint, .piece = n.piece};
+  if (n.kind == FaceNode::Kind::kConvexEdge)
+    return {.kind = Kind::kConvexEdge, .edge = n.boundary_edge, .piece = n.piece};
+  return {.kind = n.kind == FaceNode::Kind::kRim ? Kind::kRim : Kind::kEvent,
+          .box = {std::max(n.u0, r.u0), std::min(n.u1, r.u1), std::max(n.v0, r.v0),
+                  std::min(n.v1, r.v1)},
+          .piece = n.piece};
 }
 
 /// Every tie of the sides ends one arc, between the regions beside it; other nodes end some.

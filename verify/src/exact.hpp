@@ -3,19 +3,13 @@
 #pragma once
 
 #include "blum/kernel/solid.hpp"
-#include "face.hpp"
+#include "face_map.hpp"
 #include "failure.hpp"
 
 namespace blum::verify {
 
 class Algebra {
  public:
-  /// Exact algebra does not decide either, or not in time.
-  class Undecided : public Failure {
-   public:
-    using Failure::Failure;
-  };
-
   /// With nothing but what the shape knows.
   explicit Algebra(const Shape& shape);
 

@@ -1,7 +1,7 @@
-/// The diagram on a cell face, checked part by part against the claims of a certificate.
+/// Checks the diagram on a cell face part by part against the claims of a certificate.
 #pragma once
 
-#include "line.hpp"
+#include "exact.hpp"
 
 namespace blum::verify {
 
@@ -42,40 +42,6 @@ struct PartNode {
   double cut = 0;
   Claim claim;
 };
-
-/// Terms as in the glossary: nodes and arcs of G; regions and pieces of (rectangle ∩ O).
-struct FaceMap {
-  struct Node {
-    enum class Kind : std::uint8_t { kSide, kEvent, kRim, kConvexEdge } kind = Kind::kEvent;
-    int side = 0;                 ///< kSide
-    std::uint32_t change = 0;     ///< kSide: index in the side's line
-    std::uint32_t edge = 0;       ///< kConvexEdge
-    std::array<double, 4> box{};  ///< kEvent, kRim: u0, u1, v0, v1: holds it and no other
-    std::uint32_t piece = kNone;
-  };
-  struct Arc {
-    std::array<std::uint32_t, 2> node, region;
-  };
-  struct Region {
-    std::vector<Site> labels;  ///< sorted, all governors of its points
-    std::uint32_t piece = 0;
-  };
-  std::uint32_t number = 0;  ///< among the diagrams of the certificate
-  Rect rect;
-  std::array<Line, 4> side;  ///< low v, high u, high v, low u; pieces have their regions for ids
-  std::vector<Node> node;
-  std::vector<Arc> arc;
-  std::vector<Region> region;
-  std::vector<std::uint32_t> circles;               ///< by piece
-  std::vector<std::array<std::uint32_t, 2>> trace;  ///< triangle, region
-  std::vector<std::uint32_t> trace_point;           ///< boundary edges
-};
-
-/// The four sides of a rectangle as segments, in the order of FaceMap::side.
-[[nodiscard]] Segment side_of(const Rect& rect, int side);
-[[nodiscard]] inline Box3 box_of(const Rect& r) {
-  return {point_on(r.axis, r.level, r.u0, r.v0), point_on(r.axis, r.level, r.u1, r.v1)};
-}
 
 /// candidates, triangles: as for LineSolver, for the rectangle. Throws Failure.
 [[nodiscard]] FaceMap check_face(const Exclusion& exclusion, const Algebra& algebra,

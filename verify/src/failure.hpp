@@ -12,6 +12,12 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// This checker cannot tell: no statement of the certificate was found to be false.
+class Undecided : public Failure {
+ public:
+  explicit Undecided(const std::string& what) : Failure("not shown: " + what) {}
+};
+
 inline void require(bool holds, const std::string& statement) {
   if (!holds) throw Failure(statement);
 }

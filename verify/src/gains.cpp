@@ -59,43 +59,6 @@ bool lies_ahead(const Shape& shape, const SharedFeet& feet, Site a, Site b,
          (parted(a, 1, false) && parted(b, -1, true));
 }
 
-/// Bounds of the products with w of all gradients that the distance to a site can have where it
-/// governs (docs/proofs.md, "Fans"); of none for a vertex.
-std::optional<std::array<double, 2>> fan(const Exclusion& exclusion, Site s, const BallVector& w) {
-  const Shape& shape = exclusion.sites().shape();
-  if (shape.kind(s) == Kind::kVertex) return std::nullopt;
-  const auto i = shape.element(s);
-  const bool face = shape.kind(s) == Kind::kFace;
-  const BallVector &a = exclusion.unit(face ? i : shape.edge[i].triangle[0]),
-                   &b = exclusion.unit(face ? i : shape.edge[i].triangle[1]), sum = plus(a, b);
-  const Ball ca = -dot(a, w), cb = -dot(b, w);
-  double low = std::min(ca.low(), cb.low()), high = std::max(ca.high(), cb.high());
-  if (face) return std::array{low, high};
-  const double square = dot(sum, sum).low();
-  if (!(square > 0)) return std::nullopt;
-  const double stretch = 2 / std::sqrt(square) * (1 + 0x1p-40);  // p + q of p a + q b of length 1
-  return std::array{low < 0 ? low * stretch : low, high > 0 ? high * stretch : high};
-}
-
-/// Two edges with one common vertex, and their directions from there.
-struct Fork {
-  std::uint32_t vertex;
-  Vec<Rational> a, b;
-  /// Sign of w.(a / |a| - b / |b|).
-  [[nodiscard]] int compare_along(const Vec<Rational>& w) const {
-    return compare_over_roots<Rational>(inner(a, w), inner(a, a), inner(b, w), inner(b, b));
-  }
-};
-std::optional<Fork> fork(const Shape& shape, Site a, Site b) {
-  if (shape.kind(a) != Kind::kEdge || shape.kind(b) != Kind::kEdge) return std::nullopt;
-  const auto common = common_corners(shape, a, b);
-  if (common.size() != 1) return std::nullopt;
-  const auto away = [&](Site s) {
-    return shape.along<Rational>(common[0], shape.other_end(shape.element(s), common[0]));
-  };
-  return Fork{common[0], away(a), away(b)};
-}
-
 /// Points whose hull holds the feet on s of all points of the box that s governs.
 std::vector<Vec<Rational>> hull_of_feet(const Shape& shape, const Box3& box, Site s) {
   std::vector<Vec<Rational>> hull;
@@ -174,29 +137,23 @@ bool SharedFeet::shared(Site a, Site b) const {
          (common.size() >= 2 && edge(common[0], common[1]));
 }
 
-bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& feet, Site a, Site b,
-                       const Vec<Rational>& w) {
-  const auto f = fork(shape, a, b);
-  if (!f || f->compare_along(w) <= 0) return false;
-  if (!feet.vertex(f->vertex)) return true;
-  // On a segment the vertex is a foot of neither if the products with both have no common zero.
-  if (corners_of(box).size() != 2) return false;
-  const Vec<Rational> d = shape.from<Rational>(f->vertex, box.lo),
-                      along = minus(shape.from<Rational>(f->vertex, box.hi), d);
-  return inner(d, f->a) * inner(along, f->b) != inner(d, f->b) * inner(along, f->a);
-}
-
 bool never_tie_from_vertex(const Shape& shape, const Box3& box, Site a, Site b) {
-  const auto f = fork(shape, a, b);
-  if (!f) return false;
-  // Feet off the vertex lie ahead of it on both edges.
+  if (shape.kind(a) != Kind::kEdge || shape.kind(b) != Kind::kEdge) return false;
+  const auto common = common_corners(shape, a, b);
+  if (common.size() != 1) return false;
+  const auto away = [&](Site s) {
+    return shape.along<Rational>(common[0], shape.other_end(shape.element(s), common[0]));
+  };
+  const Vec<Rational> ea = away(a), eb = away(b);
+  // Feet off the vertex lie ahead of it on both edges, equally far.
   int sum = 0;
   std::vector<Rational> behind_a, behind_b;
   for (const Point3& x : corners_of(box)) {
-    const Vec<Rational> d = shape.from<Rational>(f->vertex, x);
-    sum += f->compare_along(d);
-    behind_a.push_back(-inner(d, f->a));
-    behind_b.push_back(-inner(d, f->b));
+    const Vec<Rational> d = shape.from<Rational>(common[0], x);
+    behind_a.push_back(-inner(d, ea));
+    behind_b.push_back(-inner(d, eb));
+    sum += compare_over_roots<Rational>(behind_a.back(), inner(ea, ea), behind_b.back(),
+                                        inner(eb, eb));
   }
   return std::cmp_equal(std::abs(sum), behind_a.size()) || exclude_each_other(behind_a, behind_b);
 }
@@ -207,10 +164,7 @@ bool gains(const Exclusion& exclusion, const Box3& box, const SharedFeet& feet, 
   if (std::ranges::all_of(corners_of(box),
                           [&](const Point3& x) { return sites.slope(x, a, b, w) < 0; }))
     return true;
-  const auto fa = fan(exclusion, a, w.as<Ball>()), fb = fan(exclusion, b, w.as<Ball>());
-  return (fa && fb && (*fa)[1] < (*fb)[0]) ||
-         gains_from_vertex(sites.shape(), box, feet, a, b, w.as<Rational>()) ||
-         (!feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w.as<Rational>()));
+  return !feet.shared(a, b) && lies_ahead(sites.shape(), feet, a, b, w.as<Rational>());
 }
 
 bool may_both_govern(const Exclusion& exclusion, const Box3& box, Site a, Site b) {

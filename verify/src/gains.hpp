@@ -1,5 +1,5 @@
 /// Partitions of the sites that may govern a box, and which of two sites gains on the other along a
-/// direction (docs/proofs.md, Theorem D', D'', "Fans", "Depth", "Two edges at a vertex", "Halves").
+/// direction (docs/proofs.md, Theorem D', D'', "Depth", "Two edges at a vertex", "Halves").
 #pragma once
 
 #include "exclusion.hpp"
@@ -56,9 +56,7 @@ class SharedFeet {
                                            const SharedFeet& feet, Site a, Site b,
                                            const std::optional<Exact>& w, int& looks);
 
-/// "Two edges at a vertex": reasons of the former, and against the latter. False for other sites.
-[[nodiscard]] bool gains_from_vertex(const Shape& shape, const Box3& box, const SharedFeet& feet,
-                                     Site a, Site b, const Vec<Rational>& w);
+/// "Two edges at a vertex": a reason against that. False for other sites.
 [[nodiscard]] bool never_tie_from_vertex(const Shape& shape, const Box3& box, Site a, Site b);
 
 }  // namespace blum::verify

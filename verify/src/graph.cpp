@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "blum/kernel/union_find.hpp"
 #include "failure.hpp"
 
 namespace blum::verify {
@@ -14,6 +15,46 @@ constexpr int kMostTries = 1000;  // to tell events apart that are nearer than d
 
 bool overlap(const Box& a, const Box& b) {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+bool holds(const Box& a, const Box& b) {
+  return a[0] <= b[0] && a[1] >= b[1] && a[2] <= b[2] && a[3] >= b[3];
+}
+
+/// "Clusters": of events in a box that no other claimed one meets, those that arcs join to a tree
+/// become one.
+void contract(FaceMap& map, const Graph& claimed) {
+  const auto count = static_cast<std::uint32_t>(map.node.size());
+  std::vector<std::size_t> holder(count, claimed.event.size());  // none
+  for (std::uint32_t n = 0; n < count; ++n) {
+    const auto meets = [&](const Graph::Event& e) {
+      return !e.rim && overlap(e.box, map.node[n].box);
+    };
+    const auto e = std::ranges::find_if(claimed.event, meets);
+    if (map.node[n].kind == Kind::kEvent && std::ranges::count_if(claimed.event, meets) == 1 &&
+        holds(e->box, map.node[n].box))
+      holder[n] = static_cast<std::size_t>(e - claimed.event.begin());
+  }
+  UnionFind cluster;
+  cluster.resize(count);
+  std::erase_if(map.arc, [&](const FaceMap::Arc& a) {
+    const auto [p, q] = a.node;
+    if (holder[p] == claimed.event.size() || holder[p] != holder[q] ||
+        cluster.find(p) == cluster.find(q))
+      return false;
+    cluster.unite(p, q);
+    return true;
+  });
+  std::vector<std::uint32_t> number(count);
+  std::vector<FaceMap::Node> kept;
+  for (std::uint32_t n = 0; n < count; ++n)
+    if (cluster.find(n) == n) {
+      number[n] = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(map.node[n]);
+    }
+  map.node = std::move(kept);
+  for (FaceMap::Arc& a : map.arc)
+    for (auto& n : a.node) n = number[cluster.find(n)];
 }
 
 /// Compares `map` with `claimed`; events are told by kinds and boxes first.
@@ -46,7 +87,7 @@ void Matcher::find_candidates() {
       const auto& [rim, own] = claimed_.event[e];
       if (rim != (node.kind == Kind::kRim) || !overlap(own, node.box)) continue;
       const Box& box = node.box;
-      require(own[0] <= box[0] && own[1] >= box[1] && own[2] <= box[2] && own[3] >= box[3] &&
+      require(holds(own, box) &&
                   std::ranges::all_of(held[e], [&](const Box* b) { return overlap(*b, box); }),
               "diagram: a box does not isolate an event of its kind");
       held[e].push_back(&box);
@@ -116,6 +157,9 @@ void Matcher::run() {
 
 }  // namespace
 
-void check_graph(FaceMap& map, const Graph& claimed) { Matcher(map, claimed).run(); }
+void check_graph(FaceMap& map, const Graph& claimed) {
+  contract(map, claimed);
+  Matcher(map, claimed).run();
+}
 
 }  // namespace blum::verify

@@ -1,7 +1,7 @@
 /// The graph on a rectangle as a certificate states it, compared with the one that was found.
 #pragma once
 
-#include "face.hpp"
+#include "face_map.hpp"
 
 namespace blum::verify {
 
@@ -11,8 +11,8 @@ struct Graph {
   enum Kind : std::uint32_t { kSide, kConvexEdge, kEvent, kLoop };
   struct Event {
     bool rim = false;
-    /// u0, u1, v0, v1: holds this event and no other of its kind, unless these are nearer to each
-    /// other than doubles: such events are told by their arcs.
+    /// u0, u1, v0, v1: holds this event, or a tree of events, and no other of its kind, unless
+    /// these are nearer to each other than doubles: such events are told by their arcs.
     std::array<double, 4> box{};
   };
   struct Arc {
@@ -24,8 +24,9 @@ struct Graph {
 };
 
 /// Is this the graph of `map`: the same arcs between the same ends, with governors of the regions
-/// beside them, and boxes that isolate the events? Throws Failure. The arcs of `map` get the order
-/// and the directions claimed, which the rest of the certificate refers to.
+/// beside them, and boxes that isolate the events? Throws Failure. Of `map`, trees of events
+/// become one where that is claimed, and arcs get the order and the directions claimed, which the
+/// rest of the certificate refers to.
 void check_graph(FaceMap& map, const Graph& claimed);
 
 }  // namespace blum::verify

@@ -75,13 +75,14 @@ void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd
   if (decided(groups_by_ties(exclusion_.sites(), sites, box)) ||
       (thorough && decided(groups_by_feet(exclusion_.sites(), sites, feet))))
     return;
-  require(depth < kMaxDepth, "line: bisection does not decide (Theorem D' on a line)");
+  if (depth == kMaxDepth) throw Undecided("line: bisection does not decide (Theorem D' on a line)");
   for (const double share : {0.5, 0.4375, 0.53125, 0.4609375}) {
     const double m = a.t + share * (b.t - a.t);
     if (!(m > a.t && m < b.t)) {
-      require(a.triangle == kNone && b.triangle == kNone, "line: no number left beside a crossing");
+      if (a.triangle != kNone || b.triangle != kNone)
+        throw Undecided("line: no number left beside a crossing");
       const std::size_t n = algebra_.ties({line.axis, line.u, line.v, a.t, b.t}, sites);
-      require(n <= 1, "line: several ties between two numbers");
+      if (n > 1) throw Undecided("line: several ties between two numbers");
       if (n == 1) out.push_back({false, 0, a, b});
       return;
     }
@@ -95,7 +96,7 @@ void LineSolver::ties(const Segment& line, const StretchEnd& a, const StretchEnd
     ties(line, a, {m, kNone, *middle}, sites, out, depth + 1);
     return ties(line, {m, kNone, *middle}, b, sites, out, depth + 1);
   }
-  throw Failure("line: not in general position");
+  throw Undecided("line: not in general position");
 }
 
 Line LineSolver::solve(const Segment& segment, bool starts_inside, std::span<const Site> candidates,

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "face.hpp"
 #include "graph.hpp"
 
 namespace blum::verify {

@@ -37,7 +37,8 @@ inline constexpr int kFormatVersion = 4;
 struct Answer {
   enum class Outcome : std::uint8_t {
     kVerified,
-    kFalse,       ///< `statement` is the first that does not hold, or cannot be shown to hold
+    kFalse,  ///< `statement` is the first that does not hold, or, if it starts with "not shown",
+             ///< that this checker cannot tell about
     kUnreadable,  ///< not a certificate, or cut short; `statement` says where
   };
   Outcome outcome = Outcome::kUnreadable;
