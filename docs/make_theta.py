@@ -33,7 +33,6 @@ OURS = [
     (["torus", "16", "8"], "", [45, 90, 150, 180]),
     (["knot"], "Knot", [90, 150, 180]),
     ("knot.off", "Knot", [90, 150, 180]),
-    ("rotor_small.off", "Rotor", [90, 150, 180]),
     (["lbracket"], "L-shape (figure 5.13)", [90, 91, 180]),
 ]
 
