@@ -76,6 +76,13 @@ TEST(VerifyFixtures, PartCutByAHoleAndThinPolarCone_Verified) {
   }
 }
 
+// A face where events are nearly one: the candidates of the cell's parent part them otherwise.
+TEST(VerifyFixtures, FaceDecidedWithTheCellsOwnCandidates_Verified) {
+  const Certified c = fixture("dragknob", 1);
+  const verify::Answer answer = check(c, c.record);
+  EXPECT_EQ(answer.outcome, Outcome::kVerified) << answer.statement;
+}
+
 // No site covers the centre of a box for certain, and corners are far.
 TEST(VerifyFixtures, Needle_Verified) {
   const Certified c = fixture("needle_of_2e8", 377);
