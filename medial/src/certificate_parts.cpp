@@ -137,9 +137,10 @@ std::array<Rect, 2> cut(const Rect& part, bool along_u, double at) {
 }
 
 /// Between the boxes of some events, where they are farthest apart: along u, and at what number.
+/// nullopt: nowhere, or too near each other.
 std::optional<std::pair<bool, double>> between(std::vector<const FaceNode*> event) {
   std::optional<std::pair<bool, double>> best;
-  double widest = 0;
+  double widest = 0x1p-40;  // a narrower cut has several ties between two neighbouring doubles
   for (const bool along_u : {true, false}) {
     const auto low = [&](const FaceNode* n) { return along_u ? n->u0 : n->v0; };
     const auto high = [&](const FaceNode* n) { return along_u ? n->u1 : n->v1; };
