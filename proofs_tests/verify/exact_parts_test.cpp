@@ -76,6 +76,18 @@ TEST(VerifyFixtures, PartCutByAHoleAndThinPolarCone_Verified) {
   }
 }
 
+// Exact parts with several events: the cuts proposed between them must not meet an edge of a
+// symmetric solid, nor have two ties between two neighbouring doubles.
+TEST(VerifyFixtures, CutsBetweenEventsOfExactParts_Verified) {
+  const PolygonMesh voids = shapes::rotate_rounded(
+      shapes::triangulate_facets(shapes::split_edges(shapes::nested_voids(2), 3), 4), 4);
+  for (const Certified& c : {fixture("needle_two_events", 1), Certified("voids 2", voids)}) {
+    EXPECT_GT(count_exact_parts(c.record), 0u) << c.name;
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
 // No site covers the centre of a box for certain, and corners are far.
 TEST(VerifyFixtures, Needle_Verified) {
   const Certified c = fixture("needle_of_2e8", 377);
