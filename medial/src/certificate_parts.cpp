@@ -140,8 +140,8 @@ std::array<Rect, 2> cut(const Rect& part, bool along_u, double at) {
 /// nullopt: nowhere, or too near each other.
 std::optional<std::pair<bool, double>> between(std::vector<const FaceNode*> event) {
   std::optional<std::pair<bool, double>> best;
-  double widest =
-      0x1p-40;  // in a narrower gap a cut may have several ties between neighbouring doubles
+  // A cut through a narrower gap may have several ties between neighbouring doubles.
+  double widest = 0x1p-40;
   for (const bool along_u : {true, false}) {
     const auto low = [&](const FaceNode* n) { return along_u ? n->u0 : n->v0; };
     const auto high = [&](const FaceNode* n) { return along_u ? n->u1 : n->v1; };
