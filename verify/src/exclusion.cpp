@@ -141,14 +141,14 @@ bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against,
 
 bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
   return sites_.shape().kind(s) == Kind::kVertex && corners_of(box).size() < 8 &&
-         !polar_cone_meets(sites_.shape(), s, box);
+         !sites_.domain_meets(s, box);
 }
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
                                 std::span<const std::uint32_t> triangles, int most) const {
   int looks = most;
   return outside_polar_cone(s, box) || halves(s, box, against, triangles, looks) ||
-         (looks < 0 && sites_.beyond_two(s, box));
+         !sites_.domain_meets(s, box);
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {
