@@ -54,6 +54,39 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
   EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, every, 1000));
 }
 
+/// A hall with a flat roof, and a box below the ridge, nearer to the roof than to the floor by less
+/// than its own size: neither half of the roof covers it.
+TEST(VerifyExclusion, FloorOfAHallBelowItsRidge_OneLookTells) {
+  PolygonMesh hall;
+  for (const double y : {-2.0, 2.0})
+    for (const auto& [x, z] :
+         {std::pair{-2.0, 0.0}, {2.0, 0.0}, {2.0, 0.9}, {0.0, 1.0}, {-2.0, 0.9}})
+      hall.points.push_back({x, y, z});
+  hall.faces = {{0, 1, 2, 3, 4}, {9, 8, 7, 6, 5}, {0, 5, 6, 1}, {1, 6, 7, 2},
+                {2, 7, 8, 3},    {3, 8, 9, 4},    {4, 9, 5, 0}};
+  const Checked c(hall);
+  const auto below_ridge = [&](double z) {
+    return Box3{c.solid.frame.to_working({-0.15, 1.2, z - 0.01}),
+                c.solid.frame.to_working({0.15, 1.5, z + 0.01})};
+  };
+  const double floor = c.solid.frame.to_working({0, 0, 0}).z;
+  std::vector<Site> under, every_site;
+  for (std::uint32_t t = 0; t < c.shape.triangle.size(); ++t) {
+    every_site.push_back(c.shape.face_site(t));
+    bool flat = true;
+    for (const auto v : c.shape.triangle[t].vertex) flat &= c.shape.point[v].z == floor;
+    if (flat && !c.sites.beyond(every_site.back(), below_ridge(0.55)))
+      under.push_back(every_site.back());
+  }
+  ASSERT_FALSE(under.empty());
+  std::vector<std::uint32_t> every(c.shape.triangle.size());
+  std::iota(every.begin(), every.end(), 0u);
+  for (const Site s : under) {
+    EXPECT_TRUE(c.exclusion.governs_nothing(s, below_ridge(0.55), every_site, every, 1));
+    EXPECT_FALSE(c.exclusion.governs_nothing(s, below_ridge(0.45), every_site, every, 1000));
+  }
+}
+
 /// A vertex in the middle of an edge that is straight but for rounding: its polar cone is thinner
 /// than doubles tell apart, and passes the box.
 TEST(VerifyExclusion, ThinPolarConeBesideABox_GovernsNothing) {
