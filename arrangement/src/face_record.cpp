@@ -126,4 +126,46 @@ void FaceEngine::record(const Circle& circle, std::span<const LocalForm> forms, 
   }
 }
 
+void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, std::uint32_t vertex,
+                      std::array<std::uint32_t, 2> edge) {
+  if (context_.parts == nullptr) return;
+  PartRecord r;
+  r.kind = kind;
+  for (const LocalForm& f : forms) r.sites.push_back(f.site);
+  r.vertex = vertex;
+  r.edge = edge;
+  r.plain = context_.plain;
+  context_.parts->push_back(std::move(r));
+}
+
+void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
+                      const Directions& directions) {
+  if (context_.parts == nullptr) return;
+  note(kind, forms);
+  for (std::uint32_t g = 0; g < directions.size(); ++g)
+    if (directions[g])
+      for (const SiteId s : named_in(forms, groups, g))
+        context_.parts->back().direction.emplace_back(s, in_plane(*directions[g]));
+}
+
+std::vector<SiteId> FaceEngine::named_in(std::span<const LocalForm> forms, const Groups& groups,
+                                         std::uint32_t group) {
+  std::vector<SiteId> members;
+  int vertices = 0, edges = 0;  // degenerate vertices are no sites, but join edges
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (groups.of[i] != group) continue;
+    members.push_back(forms[i].site);
+    vertices += forms[i].kind == SiteKind::kVertex;
+    edges += forms[i].kind == SiteKind::kEdge;
+  }
+  if (vertices == 0 && edges < 2) members.resize(1);
+  return members;
+}
+
+PlaneDirection FaceEngine::in_plane(const Direction& d) const {
+  PlaneDirection w{d.w[u_].mid, d.w[v_].mid, {}};
+  if (d.line) w.line = {d.line->from, d.line->to};
+  return w;
+}
+
 }  // namespace blum

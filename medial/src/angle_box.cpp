@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "blum/kernel/strictly_inside.hpp"
 #include "tie_angle.hpp"
 
 namespace blum {
@@ -15,12 +16,6 @@ struct Member {
   GroupSet group = 0;
   std::optional<Governed> part{};  // once it is asked for
 };
-
-bool strictly_inside(const Box3& inner, const Box3& outer) {
-  for (int k = 0; k < 3; ++k)
-    if (!(inner.lo[k] > outer.lo[k] && inner.hi[k] < outer.hi[k])) return false;
-  return true;
-}
 
 std::vector<GroupSet> bits_of(GroupSet set) {
   std::vector<GroupSet> bits;

@@ -170,21 +170,18 @@ long Writer::euler(const CellComplex& complex) {
 
 /// Null where the engine does not decide it as it did before.
 std::optional<Json> Writer::diagram(const FaceDiagram& face, const Leaf& leaf) {
+  const FaceProblem problem{&solid_, face.rect, leaf.candidates, leaf.triangles};
   std::vector<PartRecord> records;
-  FaceDiagram again = engines_.production().face(
-      FaceProblem{&solid_, face.rect, leaf.candidates, leaf.triangles}, face.side, records);
-  if (again.status != FaceStatus::kDecided) {
+  FaceDiagram again = engines_.production().face(problem, face.side, records);
+  std::optional<std::vector<ArcMatch>> match;
+  if (again.status == FaceStatus::kDecided) match = match_arcs(face, again);
+  if (!match) {
     complete_ = false;
     return std::nullopt;
   }
-  if (theta_) {
-    std::optional<std::vector<ArcMatch>> match = match_arcs(face, again);
-    complete_ &= match.has_value();
-    bool same = true;
-    for (std::uint32_t k = 0; match && k < match->size(); ++k)
-      same &= (*match)[k] == ArcMatch{k, false};
-    if (match && !same) order_.emplace(diagrams_, *std::move(match));
-  }
+  bool same = true;
+  for (std::uint32_t k = 0; k < match->size(); ++k) same &= (*match)[k] == ArcMatch{k, false};
+  if (!same) order_.emplace(diagrams_, *std::move(match));
   ++diagrams_;
   Json j = part_claims(geometry_, engines_.production().predicates(), edge_number_, records, again);
   return Json{{"parts", std::move(j)}, {"graph", graph(again)}};

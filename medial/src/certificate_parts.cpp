@@ -137,9 +137,11 @@ std::array<Rect, 2> cut(const Rect& part, bool along_u, double at) {
 }
 
 /// Between the boxes of some events, where they are farthest apart: along u, and at what number.
+/// nullopt: nowhere, or too near each other.
 std::optional<std::pair<bool, double>> between(std::vector<const FaceNode*> event) {
   std::optional<std::pair<bool, double>> best;
-  double widest = 0;
+  // A cut through a narrower gap may have several ties between neighbouring doubles.
+  double widest = 0x1p-40;
   for (const bool along_u : {true, false}) {
     const auto low = [&](const FaceNode* n) { return along_u ? n->u0 : n->v0; };
     const auto high = [&](const FaceNode* n) { return along_u ? n->u1 : n->v1; };
@@ -147,10 +149,11 @@ std::optional<std::pair<bool, double>> between(std::vector<const FaceNode*> even
     for (std::size_t k = 1; k < event.size(); ++k) {
       double end = high(event[0]);
       for (std::size_t i = 1; i < k; ++i) end = std::max(end, high(event[i]));
-      const double middle = 0.5 * end + 0.5 * low(event[k]);
-      if (!(low(event[k]) - end > widest) || !(middle > end && middle < low(event[k]))) continue;
-      widest = low(event[k]) - end;
-      best = {along_u, middle};
+      // Not in the middle: edges and ties of symmetric solids are there.
+      const double gap = low(event[k]) - end, at = end + 0.46 * gap;
+      if (!(gap > widest) || !(at > end && at < low(event[k]))) continue;
+      widest = gap;
+      best = {along_u, at};
     }
   }
   return best;
@@ -188,9 +191,9 @@ nlohmann::json part_claims(const SiteGeometry& geometry, Predicates& predicates,
           n.u1 <= part.u1 && n.v0 >= part.v0 && n.v1 <= part.v1)
         event.push_back(&n);
     if (event.size() > 1)
-      if (const auto middle = between({event.begin(), event.end()})) {
-        j.push_back({middle->first ? "u" : "v", middle->second});
-        for (const Rect& half : cut(part, middle->first, middle->second)) self(self, half, r);
+      if (const auto gap = between({event.begin(), event.end()})) {
+        j.push_back({gap->first ? "u" : "v", gap->second});
+        for (const Rect& half : cut(part, gap->first, gap->second)) self(self, half, r);
         return;
       }
     if (event.size() == 1) {

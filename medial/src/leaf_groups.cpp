@@ -6,6 +6,7 @@
 #include <set>
 
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/strictly_inside.hpp"
 #include "blum/kernel/union_find.hpp"
 
 namespace blum {
@@ -64,18 +65,12 @@ void Components::join_across_edges() {
         }
 }
 
-bool strictly_inside(const Box3& box, const Point3& p) {
-  for (int k = 0; k < 3; ++k)
-    if (!(p[k] > box.lo[k] && p[k] < box.hi[k])) return false;
-  return true;
-}
-
 /// Of the boundary.
 std::set<std::uint32_t> vertices_in(const Solid& solid, const Leaf& leaf) {
   std::set<std::uint32_t> vertices;
   for (const auto t : leaf.triangles)
     for (const auto v : solid.triangle[t].vertex)
-      if (strictly_inside(leaf.box, solid.point[v])) vertices.insert(v);
+      if (strictly_inside(solid.point[v], leaf.box)) vertices.insert(v);
   return vertices;
 }
 

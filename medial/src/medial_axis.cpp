@@ -234,6 +234,7 @@ Result<MedialResult> compute(const Solid& solid, const MedialOptions& options,
   if (certificate) {
     used.cuts = false;
     used.split_vertices = false;
+    used.own_faces = true;
     engines.prefer_plain_reasons();
   }
   Result<Subdivision> subdivided = subdivide(geometry, used, engines);

@@ -5,6 +5,7 @@
 
 #include "blum/kernel/mesh.hpp"
 #include "blum/medial/medial_axis.hpp"
+#include "patience.hpp"
 
 namespace blum {
 namespace {
@@ -60,7 +61,7 @@ TEST(Fixtures, SliverBetweenParallelFaces_IsCertified) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     MedialOptions options;
     options.seed = seed;
-    options.time_limit_s = 30;
+    options.time_limit_s = test::patience_s(30);
     const auto axis = compute_medial_axis(solid.value(), options);
     ASSERT_TRUE(axis);
     EXPECT_TRUE(axis.value().certified)

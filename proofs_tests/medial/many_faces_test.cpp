@@ -4,6 +4,7 @@
 
 #include "arrangement/face_scenes.hpp"
 #include "blum/medial/medial_axis.hpp"
+#include "patience.hpp"
 
 namespace blum {
 namespace {
@@ -13,7 +14,7 @@ void expect_certified(const std::string& name, const PolygonMesh& mesh, std::siz
   const auto solid = build_solid(mesh);
   ASSERT_TRUE(solid.ok()) << name;
   MedialOptions o;
-  o.time_limit_s = 120;
+  o.time_limit_s = test::patience_s(120);
   const auto r = compute_medial_axis(solid.value(), o);
   ASSERT_TRUE(r.ok()) << r.error().message;
   EXPECT_TRUE(r.value().certified) << r.value().undecided.size() << " cells undecided";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blum/medial/medial_axis.hpp"
+#include "patience.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -157,7 +158,7 @@ std::string fault(const Union& u, std::uint64_t seed, bool resolve) {
   MedialOptions o;
   o.seed = seed;
   o.resolve = resolve;
-  o.time_limit_s = 60;
+  o.time_limit_s = test::patience_s(60);
   try {
     const auto r = compute_medial_axis(solid.value(), o);
     if (!r) return "error: " + r.error().message;

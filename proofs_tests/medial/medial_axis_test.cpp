@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "medial/axis_tools.hpp"
+#include "patience.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -149,7 +150,7 @@ void compare_engines(const PolygonMesh& mesh, std::uint64_t seed,
     o.resolve = resolve;
     const MedialResult production = axis(mesh, o);
     o.engine = Engine::kBrute;
-    o.time_limit_s = 300;
+    o.time_limit_s = test::patience_s(300);
     const MedialResult brute = axis(mesh, o);
     expect_certified(production);
     expect_certified(brute);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "blum/medial/medial_axis.hpp"
+#include "patience.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -18,7 +19,7 @@ Counts counts(const PolygonMesh& mesh, std::uint64_t seed, double max_leaf_diame
   o.seed = seed;
   o.resolve = true;
   o.max_leaf_diameter = max_leaf_diameter;
-  o.time_limit_s = 120;
+  o.time_limit_s = test::patience_s(120);
   const auto r = compute_medial_axis(test::solid_of(mesh), o);
   if (!r || !r.value().certified) {
     ADD_FAILURE() << "not certified";

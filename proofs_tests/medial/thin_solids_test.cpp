@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blum/medial/medial_axis.hpp"
+#include "patience.hpp"
 #include "subdivision/solid_scenes.hpp"
 
 namespace blum {
@@ -37,7 +38,7 @@ std::size_t leaves(const ThinSolid& thin, double thickness, std::uint64_t seeds)
                  std::to_string(seed));
     MedialOptions o;
     o.seed = seed;
-    o.time_limit_s = 60;
+    o.time_limit_s = test::patience_s(60);
     const auto r = compute_medial_axis(solid, o);
     if (!r) {
       ADD_FAILURE() << r.error().message;

@@ -76,6 +76,40 @@ TEST(VerifyFixtures, PartCutByAHoleAndThinPolarCone_Verified) {
   }
 }
 
+// A face where events are nearly one: the candidates of the cell's parent part them otherwise.
+TEST(VerifyFixtures, FaceDecidedWithTheCellsOwnCandidates_Verified) {
+  const Certified c = fixture("dragknob", 1);
+  const verify::Answer answer = check(c, c.record);
+  EXPECT_EQ(answer.outcome, Outcome::kVerified) << answer.statement;
+}
+
+/// Solids with split edges, turned: nearly straight edges, and vertices that are hardly feet.
+PolygonMesh variant(const PolygonMesh& mesh, int s, int r) {
+  const auto split = shapes::split_edges(mesh, static_cast<std::uint64_t>((r + s) % 3 + 1));
+  return shapes::rotate_rounded(shapes::triangulate_facets(split, static_cast<std::uint64_t>(s)),
+                                static_cast<std::uint64_t>(r));
+}
+
+// Exact parts with several events: the cuts proposed between them must not meet an edge of a
+// symmetric solid, nor have two ties between two neighbouring doubles.
+TEST(VerifyFixtures, CutsBetweenEventsOfExactParts_Verified) {
+  for (const Certified& c : {fixture("needle_two_events", 1),
+                             Certified("voids 2", variant(shapes::nested_voids(2), 4, 4))}) {
+    EXPECT_GT(count_exact_parts(c.record), 0u) << c.name;
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
+// Two rims and an event in one box; edges that a degenerate vertex joins in the program alone.
+TEST(SweepVerifyFixtures, SeveralEventsInABoxAndGroupsOfEdges_Verified) {
+  for (const Certified& c : {Certified("plate 4", variant(shapes::plate(4, 6), 2, 1)),
+                             Certified("voids 3", variant(shapes::nested_voids(3), 5, 2))}) {
+    const verify::Answer answer = check(c, c.record);
+    EXPECT_EQ(answer.outcome, Outcome::kVerified) << c.name << answer.statement;
+  }
+}
+
 // No site covers the centre of a box for certain, and corners are far.
 TEST(VerifyFixtures, Needle_Verified) {
   const Certified c = fixture("needle_of_2e8", 377);

@@ -54,6 +54,94 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
   EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, every, 1000));
 }
 
+/// A hall with a flat roof, and a box below the ridge, nearer to the roof than to the floor by less
+/// than its own size: neither half of the roof covers it.
+TEST(VerifyExclusion, FloorOfAHallBelowItsRidge_OneLookTells) {
+  PolygonMesh hall;
+  for (const double y : {-2.0, 2.0})
+    for (const auto& [x, z] :
+         {std::pair{-2.0, 0.0}, {2.0, 0.0}, {2.0, 0.9}, {0.0, 1.0}, {-2.0, 0.9}})
+      hall.points.push_back({x, y, z});
+  hall.faces = {{0, 1, 2, 3, 4}, {9, 8, 7, 6, 5}, {0, 5, 6, 1}, {1, 6, 7, 2},
+                {2, 7, 8, 3},    {3, 8, 9, 4},    {4, 9, 5, 0}};
+  const Checked c(hall);
+  const auto below_ridge = [&](double z) {
+    return Box3{c.solid.frame.to_working({-0.15, 1.2, z - 0.01}),
+                c.solid.frame.to_working({0.15, 1.5, z + 0.01})};
+  };
+  const double floor = c.solid.frame.to_working({0, 0, 0}).z;
+  std::vector<Site> under, every_site;
+  for (std::uint32_t t = 0; t < c.shape.triangle.size(); ++t) {
+    every_site.push_back(c.shape.face_site(t));
+    bool flat = true;
+    for (const auto v : c.shape.triangle[t].vertex) flat &= c.shape.point[v].z == floor;
+    if (flat && !c.sites.beyond(every_site.back(), below_ridge(0.55)))
+      under.push_back(every_site.back());
+  }
+  ASSERT_FALSE(under.empty());
+  std::vector<std::uint32_t> every(c.shape.triangle.size());
+  std::iota(every.begin(), every.end(), 0u);
+  for (const Site s : under) {
+    EXPECT_TRUE(c.exclusion.governs_nothing(s, below_ridge(0.55), every_site, every, 1));
+    EXPECT_FALSE(c.exclusion.governs_nothing(s, below_ridge(0.45), every_site, every, 1000));
+  }
+}
+
+/// A vertex in the middle of an edge that is straight but for rounding: its polar cone is thinner
+/// than doubles tell apart, and passes the box.
+TEST(VerifyExclusion, ThinPolarConeBesideABox_GovernsNothing) {
+  const Checked c(shapes::rotate_rounded(
+      shapes::triangulate_facets(shapes::split_edges(shapes::plate(2, 6), 1), 3), 6));
+  const Box3 box{{0.002125608380334043, 0.5282404857001551, 0.7755378672136367},
+                 {0.049573750823581876, 0.5574165571757196, 0.8036905573913511}};
+  const Site s = c.shape.vertex_site(43);
+  ASSERT_EQ(c.shape.point.size(), 55u);
+  ASSERT_TRUE(std::ranges::binary_search(c.shape.candidates(), s));
+  std::vector<std::uint32_t> every(c.shape.triangle.size());
+  std::iota(every.begin(), every.end(), 0u);
+  EXPECT_FALSE(c.sites.beyond(s, box));
+  EXPECT_TRUE(c.exclusion.governs_nothing(s, box, {}, every, 2000));
+}
+
+/// Domains are convex: one meets a box iff it meets a half of it, and where a point is in both.
+TEST(VerifySites, DomainAndBox_MeetIffDomainAndAHalfDo) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> one(0, 1);
+  std::array<std::size_t, 2> found{};
+  std::size_t by_one = 0;
+  for (const PolygonMesh& mesh :
+       {shapes::lpocket(), shapes::rotate_rounded(shapes::lpocket(), 3), shapes::plate(2, 5),
+        shapes::rotate_rounded(shapes::split_edges(shapes::plate(2, 6), 1), 2)}) {
+    const Checked c(mesh);
+    const auto& all = c.shape.candidates();
+    for (int k = 0; k < 1500; ++k) {
+      const Point3& near = c.solid.point[random() % c.solid.point.size()];
+      const std::size_t flat = random() % 4;  // 3: not flat
+      Box3 box;
+      for (int i = 0; i < 3; ++i) {
+        box.lo[i] = near[i] + 0.3 * (2 * one(random) - 1);
+        box.hi[i] = std::cmp_equal(flat, i) ? box.lo[i] : box.lo[i] + 0.2 * one(random);
+      }
+      const Site s = all[random() % all.size()];
+      const bool meets = c.sites.domain_meets(s, box);
+      ++found[meets ? 1 : 0];
+      const auto half = verify::halved(box);
+      ASSERT_TRUE(half);
+      EXPECT_EQ(meets, c.sites.domain_meets(s, (*half)[0]) || c.sites.domain_meets(s, (*half)[1]));
+      const bool beyond = c.sites.beyond(s, box);
+      EXPECT_FALSE(beyond && meets);
+      by_one += beyond;
+      for (int n = 0; n < 10; ++n) {
+        Point3 x;
+        for (int i = 0; i < 3; ++i) x[i] = box.lo[i] + (box.hi[i] - box.lo[i]) * one(random);
+        EXPECT_TRUE(meets || !c.sites.in_domain(x, s));
+      }
+    }
+  }
+  EXPECT_GT(found[1], 300u);
+  EXPECT_GT(found[0], by_one + 50);
+}
+
 /// Of sites whose domains are convex: where they never tie one is the nearer in all of them, and
 /// where the first gains along w it stays the nearer one.
 TEST(VerifyGains, OnHalvesOfABox_TrueAtItsPoints) {

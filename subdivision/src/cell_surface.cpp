@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blum/kernel/check.hpp"
+#include "blum/kernel/strictly_inside.hpp"
 #include "box_edges.hpp"
 
 namespace blum {
@@ -32,7 +33,7 @@ void CellSurface::number_elements(std::span<const std::uint32_t> triangles) {
   for (const auto t : triangles)
     for (const auto v : solid_.triangle[t].vertex) {
       const auto [it, fresh] = seen.try_emplace(v, false);
-      if (fresh) it->second = strictly_inside(solid_.point[v]);
+      if (fresh) it->second = strictly_inside(solid_.point[v], box_);
       if (it->second && triangle_.try_emplace(t, elements).second) ++elements;
     }
   for (const auto& [v, inside] : seen)

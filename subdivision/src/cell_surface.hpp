@@ -36,11 +36,6 @@ class CellSurface {
   void glue();
   /// Of a convex edge at a vertex inside the cell.
   [[nodiscard]] std::uint32_t tree_at(std::uint32_t vertex, std::uint32_t edge) const;
-  [[nodiscard]] bool strictly_inside(const Point3& p) const {
-    for (int k = 0; k < 3; ++k)
-      if (!(p[k] > box_.lo[k] && p[k] < box_.hi[k])) return false;
-    return true;
-  }
   [[nodiscard]] std::uint32_t region(int f, std::uint32_t r) const { return region_base_[f] + r; }
   [[nodiscard]] std::uint32_t node(int f, std::uint32_t n) const { return node_base_[f] + n; }
 

@@ -86,6 +86,7 @@ CellOutcome CellWorker::work(Cell& cell) {
   cell.candidates =
       production_.prune(cell.candidates, cell.box.lo, cell.box.hi, options_.distance_hint);
   cell.stuck = cell.candidates.size() < before ? 0 : cell.stuck + 1;
+  if (options_.own_faces && cell.stuck == 0) cell.face.fill(nullptr);
   const bool small = options_.max_candidates == 0 ||
                      cell.candidates.size() <= options_.max_candidates ||
                      cell.stuck % kPatience == kPatience - 1;

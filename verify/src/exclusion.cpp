@@ -11,19 +11,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double up(double x) { return x * (1 + 0x1p-48) + 0x1p-1000; }
 
-/// Infinite where the square is none (an overflow): bounds fail to say anything then.
-double root_bound(const Ball& square) {
-  const double high = square.high();
-  return high >= 0 ? up(std::sqrt(high)) : kInfinity;
-}
-
-/// Squared distance to a point of the segment from p to q (which may be one point), for no other
-/// point of it much less.
-Ball square_to_side(const Point3& x, const Point3& p, const Point3& q) {
+/// To x from a point of the segment from p to q (which may be one point): nearly the nearest.
+BallVector from_side(const Point3& x, const Point3& p, const Point3& q) {
   const BallVector to = difference(x, p), side = difference(q, p);
   const double share = dot(to, side).mid / dot(side, side).mid;
-  const BallVector r = minus(to, times(side, Ball(share >= 0 ? std::min(share, 1.0) : 0.0)));
-  return dot(r, r);
+  return minus(to, times(side, Ball(share >= 0 ? std::min(share, 1.0) : 0.0)));
 }
 
 }  // namespace
@@ -40,8 +32,8 @@ std::optional<std::array<Box3, 2>> halved(const Box3& box) {
 
 struct Exclusion::View {
   Point3 center;
-  double radius = 0;
-  double nearest = kInfinity;                      // bound on d(center)
+  double nearest = kInfinity;                      // of what is below, squared
+  BallVector from_foot;                            // to the centre, from a point of ∂O
   std::vector<std::pair<double, Site>> reference;  // the nearest sites that cover the box
 };
 
@@ -96,36 +88,48 @@ bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
 }
 
 Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) const {
-  const auto h = half_widths(box);
-  View v{center_of(box), up(std::sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2])), kInfinity, {}};
+  const Shape& shape = sites_.shape();
+  View v{center_of(box), kInfinity, {}, {}};
+  const auto look = [&](const BallVector& from_foot) {
+    const double square = dot(from_foot, from_foot).mid;
+    if (!(square < v.nearest)) return;
+    v.nearest = square;
+    v.from_foot = from_foot;
+  };
   for (const Site s : against) {
-    // Projected into the site; else points of its sides bound the distance.
-    if (sites_.covers(s, {v.center, v.center})) {
-      const double d = root_bound(sites_.square_of_distance(v.center, s));
-      v.nearest = std::min(v.nearest, d);
-      if (sites_.covers(s, box)) v.reference.emplace_back(d, s);
+    const auto corner = shape.corners(s);
+    const bool face = shape.kind(s) == Kind::kFace;
+    // Its foot where the centre projects into it; else that on its sides.
+    if (face && sites_.covers(s, {v.center, v.center})) {
+      const BallVector& n = unit_[shape.element(s)];
+      look(times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
     } else {
-      const auto corner = sites_.shape().corners(s);
       for (std::size_t k = 0; k < corner.size(); ++k)
-        v.nearest = std::min(
-            v.nearest,
-            root_bound(square_to_side(v.center, sites_.shape().point[corner[k]],
-                                      sites_.shape().point[corner[(k + 1) % corner.size()]])));
+        look(from_side(v.center, shape.point[corner[k]],
+                       shape.point[corner[(k + 1) % corner.size()]]));
     }
+    if (sites_.covers(s, box))
+      v.reference.emplace_back(sites_.square_of_distance(v.center, s).mid, s);
   }
   std::ranges::sort(v.reference);
   v.reference.resize(std::min(v.reference.size(), kReferences));
   return v;
 }
 
-bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
-  if (sites_.beyond(s, box)) return true;
-  // Distances change by at most the radius.
-  const double limit = up(view.nearest + 2 * view.radius);
-  if (sites_.square_of_distance(view.center, s).low() > up(limit * limit)) return true;
-  return std::ranges::any_of(view.reference, [&](const auto& r) {
-    return r.second != s && farther(s, r.second, box, false);
+/// "Points": is a point of ∂O nearer to all of the box than the carrier of s?
+bool Exclusion::behind_foot(Site s, const Box3& box, const View& view) const {
+  if (view.nearest == kInfinity) return false;
+  return std::ranges::all_of(corners_of(box), [&](const Point3& x) {
+    const BallVector r = plus(view.from_foot, difference(x, view.center));
+    return dot(r, r).high() < sites_.square_of_distance(x, s).low();
   });
+}
+
+bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
+  return sites_.beyond(s, box) || behind_foot(s, box, view) ||
+         std::ranges::any_of(view.reference, [&](const auto& r) {
+           return r.second != s && farther(s, r.second, box, false);
+         });
 }
 
 bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against,
@@ -141,14 +145,14 @@ bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against,
 
 bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
   return sites_.shape().kind(s) == Kind::kVertex && corners_of(box).size() < 8 &&
-         !polar_cone_meets(sites_.shape(), s, box);
+         !sites_.domain_meets(s, box);
 }
 
 bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
                                 std::span<const std::uint32_t> triangles, int most) const {
   int looks = most;
   return outside_polar_cone(s, box) || halves(s, box, against, triangles, looks) ||
-         (looks < 0 && sites_.beyond_two(s, box));
+         !sites_.domain_meets(s, box);
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

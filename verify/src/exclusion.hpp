@@ -35,11 +35,12 @@ class Exclusion {
   [[nodiscard]] const BallVector& unit(std::uint32_t t) const { return unit_[t]; }
 
  private:
-  struct View;  // of a box: centre, half widths, bound on the distance at the centre
+  struct View;  // of a box: its centre, a foot of that, sites that cover it
   [[nodiscard]] View view(const Box3& box, std::span<const Site> against) const;
   /// d_a > d_b (carriers) wherever a governs, and b too if `inside_b`; that a governs nothing
   /// follows only if b covers the box, and not from `inside_b`.
   [[nodiscard]] bool farther(Site a, Site b, const Box3& box, bool inside_b) const;
+  [[nodiscard]] bool behind_foot(Site s, const Box3& box, const View& view) const;
   [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
   [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
                             std::span<const std::uint32_t> triangles, int& looks) const;

@@ -97,7 +97,7 @@ bool FaceChecker::check_about_vertex(const Part& part, const SharedFeet& feet, c
   check_cone(part, claim.vertex);
   const auto ties = std::ranges::count_if(circles[0], &Step::separates);
   const bool foot = ties > 0 && feet.vertex(claim.vertex) &&
-                    polar_cone_meets(exclusion_.sites().shape(), claim.vertex, part.box);
+                    exclusion_.sites().domain_meets(claim.vertex, part.box);
   // Intervals of different groups are of different regions: then the forest is one tree.
   std::set<std::uint32_t> shown;
   for (const Interval& i : intervals(circles[0]))

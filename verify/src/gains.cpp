@@ -5,6 +5,23 @@
 namespace blum::verify {
 namespace {
 
+/// Of two affine functions by their values at the corners of a box: are both <= 0 in no point of
+/// it? They are not iff r p + q > 0 at all corners for some r > 0.
+bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q) {
+  Rational low = 0;
+  std::optional<Rational> high;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k] == 0 && q[k] <= 0) return false;
+    if (p[k] == 0) continue;
+    const Rational r = -q[k] / p[k];
+    if (p[k] > 0)
+      low = std::max(low, r);
+    else
+      high = high ? std::min(*high, r) : r;
+  }
+  return !high || low < *high;
+}
+
 std::vector<std::uint32_t> common_corners(const Shape& shape, Site a, Site b) {
   std::vector<std::uint32_t> common;
   for (const auto v : shape.corners(a))

@@ -1,6 +1,7 @@
 #include "graph.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "blum/kernel/union_find.hpp"
 #include "failure.hpp"
@@ -87,8 +88,11 @@ void Matcher::find_candidates() {
       const auto& [rim, own] = claimed_.event[e];
       if (rim != (node.kind == Kind::kRim) || !overlap(own, node.box)) continue;
       const Box& box = node.box;
+      const auto alike = std::ranges::count_if(
+          claimed_.event, [&own, rim](const auto& x) { return x.rim == rim && x.box == own; });
       require(holds(own, box) &&
-                  std::ranges::all_of(held[e], [&](const Box* b) { return overlap(*b, box); }),
+                  (std::cmp_less(held[e].size(), alike) ||
+                   std::ranges::all_of(held[e], [&](const Box* b) { return overlap(*b, box); })),
               "diagram: a box does not isolate an event of its kind");
       held[e].push_back(&box);
       candidate_.back().push_back(e);

@@ -12,7 +12,8 @@ struct Graph {
   struct Event {
     bool rim = false;
     /// u0, u1, v0, v1: holds this event, or a tree of events, and no other of its kind, unless
-    /// these are nearer to each other than doubles: such events are told by their arcs.
+    /// these are nearer to each other than doubles, or as many claimed ones have this very box:
+    /// such events are told by their arcs.
     std::array<double, 4> box{};
   };
   struct Arc {

@@ -165,31 +165,6 @@ int Shape::side_of_plane(std::uint32_t t, const Point3& x) const {
   });
 }
 
-bool polar_cone_meets(const Shape& shape, std::uint32_t v, const Box3& box) {
-  std::vector<Vec<Rational>> polygon;  // clipped by one condition after the other
-  int flat = 0;
-  while (flat < 2 && box.lo[flat] != box.hi[flat]) ++flat;
-  const int a = u_axis(flat), b = v_axis(flat);
-  for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-    Point3 p = box.lo;
-    if (s == 1) p[a] = box.hi[a];
-    if (t == 1) p[b] = box.hi[b];
-    polygon.push_back(shape.from<Rational>(v, p));
-  }
-  for (const auto e : shape.edges_at[v]) {
-    const Vec<Rational> along = shape.along<Rational>(v, shape.other_end(e, v));
-    std::vector<Vec<Rational>> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const auto &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-      const Rational hp = inner(along, p), hq = inner(along, q);
-      if (hp <= 0) kept.push_back(p);
-      if (hp * hq < 0) kept.push_back(plus(p, times(minus(q, p), Rational(hp / (hp - hq)))));
-    }
-    polygon = std::move(kept);
-  }
-  return !polygon.empty();
-}
-
 std::optional<std::vector<std::uint32_t>> triangles_crossed(
     const Shape& shape, const Segment& segment, std::span<const std::uint32_t> triangles) {
   const int axis = segment.axis, u = u_axis(axis), v = v_axis(axis);

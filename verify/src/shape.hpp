@@ -123,9 +123,6 @@ class Shape {
   std::vector<Site> candidates_;
 };
 
-/// Does the polar cone of v meet the box, which is a rectangle, a segment or a point?
-[[nodiscard]] bool polar_cone_meets(const Shape& shape, std::uint32_t v, const Box3& box);
-
 /// The triangles, of some, that a segment crosses; nullopt where it meets an edge of the surface,
 /// or ends on it.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> triangles_crossed(

@@ -30,22 +30,6 @@ std::array<double, 3> half_widths(const Box3& box) {
   return h;
 }
 
-/// They are not iff r p + q > 0 at all corners for some r > 0.
-bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q) {
-  Rational low = 0;
-  std::optional<Rational> high;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    if (p[k] == 0 && q[k] <= 0) return false;
-    if (p[k] == 0) continue;
-    const Rational r = -q[k] / p[k];
-    if (p[k] > 0)
-      low = std::max(low, r);
-    else
-      high = high ? std::min(*high, r) : r;
-  }
-  return !high || low < *high;
-}
-
 /// Vertices: its edges (the polar cone). Edges: their ends, and not within their faces. Faces:
 /// their sides, and their inner side.
 Sites::Sites(const Shape& shape) : shape_(shape), condition_(shape.sites()) {
@@ -86,16 +70,36 @@ bool Sites::beyond(Site s, const Box3& box) const {
   });
 }
 
-bool Sites::beyond_two(Site s, const Box3& box) const {
-  std::vector<std::vector<Rational>> value;  // by condition, corner
-  for (const Condition& c : conditions(s)) {
-    value.emplace_back();
-    for (const Point3& x : corners_of(box))
-      value.back().push_back(inner(c.w.as<Rational>(), shape_.from<Rational>(c.base, x)));
-    for (const auto& other : std::span(value).first(value.size() - 1))
-      if (exclude_each_other(value.back(), other)) return true;
+bool Sites::domain_meets(Site s, const Box3& box) const {
+  int flat = 0;
+  while (flat < 3 && box.lo[flat] != box.hi[flat]) ++flat;
+  for (int axis = 0; flat == 3 && axis < 3; ++axis)
+    for (const Point3* end : {&box.lo, &box.hi}) {
+      Box3 face = box;
+      face.lo[axis] = face.hi[axis] = (*end)[axis];
+      if (domain_meets(s, face)) return true;
+    }
+  if (flat == 3) return false;
+  std::vector<Vec<Rational>> polygon;  // clipped by one condition after the other
+  for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    Point3 p = box.lo;
+    if (u == 1) p[u_axis(flat)] = box.hi[u_axis(flat)];
+    if (v == 1) p[v_axis(flat)] = box.hi[v_axis(flat)];
+    polygon.push_back(exactly<Rational>(p));
   }
-  return false;
+  for (const Condition& c : conditions(s)) {
+    const Vec<Rational> base = exactly<Rational>(shape_.point[c.base]);
+    std::vector<Vec<Rational>> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const auto &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+      const Rational hp = inner(c.w.as<Rational>(), minus(p, base)),
+                     hq = inner(c.w.as<Rational>(), minus(q, base));
+      if (hp <= 0) kept.push_back(p);
+      if (hp * hq < 0) kept.push_back(plus(p, times(minus(q, p), Rational(hp / (hp - hq)))));
+    }
+    polygon = std::move(kept);
+  }
+  return !polygon.empty();
 }
 
 bool Sites::covers_inside(Site face, const Box3& box) const {

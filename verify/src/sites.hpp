@@ -19,10 +19,6 @@ struct Condition {
 /// At least half the box's size about that.
 [[nodiscard]] std::array<double, 3> half_widths(const Box3& box);
 
-/// Of two affine functions by their values at the corners of a box: are both <= 0 in no point of
-/// it?
-[[nodiscard]] bool exclude_each_other(std::span<const Rational> p, std::span<const Rational> q);
-
 class Sites {
  public:
   explicit Sites(const Shape& shape);
@@ -48,8 +44,9 @@ class Sites {
   }
   /// Is one condition violated at every point of the box?
   [[nodiscard]] bool beyond(Site s, const Box3& box) const;
-  /// Is one of two conditions violated at every point of the box, though neither on the whole?
-  [[nodiscard]] bool beyond_two(Site s, const Box3& box) const;
+  /// Do all conditions hold together at a point of the box? Requires a candidate: its domain is
+  /// connected and unbounded, so it leaves a box that it meets.
+  [[nodiscard]] bool domain_meets(Site s, const Box3& box) const;
   /// Does every point of the box project into the closed site?
   [[nodiscard]] bool covers(Site s, const Box3& box) const { return hold(own_conditions(s), box); }
   /// And lie on the inner side of this face? Or leave it across a flat edge only, for the other

@@ -238,9 +238,12 @@ void Checker::check_counts(const Complex& complex, const std::vector<bool>& gone
                            const json& betti, const std::string& what) {
   auto count = count_cells(complex, gone);
   for (const char* name : {"ties", "events", "rims", "convex points", "convex vertices", "apices",
-                           "arcs", "convex edges", "spokes"})
-    require(read_index(j.at("cells").at(name), kMost) == count[name],
-            what + " has another number of cells: " + name);
+                           "arcs", "convex edges", "spokes"}) {
+    const auto stated = read_index(j.at("cells").at(name), kMost);
+    require(stated == count[name], what + " has another number of " + name + ": " +
+                                       std::to_string(count[name]) + ", not " +
+                                       std::to_string(stated));
+  }
   long euler = 0;
   for (std::size_t c = 0; c < gone.size(); ++c)
     if (!gone[c]) euler += complex.cell[c].dimension == 1 ? -1 : 1;

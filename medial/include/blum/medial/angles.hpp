@@ -33,7 +33,7 @@ struct AngleOptions {
   std::size_t boxes_per_leaf = 20000;  ///< or so many boxes looked at for each leaf that it is in
   /// Where small boxes tell nothing it is the leaf that is too coarse to say which part a point
   /// belongs to: so many times such leaves are divided, and all parts bounded anew.
-  int refinements = 10;
+  int refinements = 24;
   /// Degrees: the certificate, where one is written, holds the collapses of values below this, as
   /// simplified() by Simplify::kHomotopy has them. Requires `wanted`.
   std::optional<double> certified_theta_deg{};

@@ -44,6 +44,9 @@ struct SubdivisionOptions {
   bool cuts = true;  ///< try planes that miss the axis before a cell is subdivided (Theorem E)
   /// Cells may hold boundary vertices near which the axis falls apart, among other sites.
   bool split_vertices = true;
+  /// Every face is decided with the candidates of its own cell, so that a certificate can decide it
+  /// again: with more of them, events that are nearly one may be parted otherwise.
+  bool own_faces = false;
   /// Cells with more candidates are divided untested, but for some that lost none for long; 0: no
   /// bound. The more a cell may have, the fewer leaves, and the coarser the geometry of the
   /// complex.
