@@ -234,8 +234,8 @@ class FaceEngine {
             std::array<std::uint32_t, 2> edge = {});
   void note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
             const Directions& directions);
-  /// Sites by which a record names a group: one, or all where a vertex may join them, as who
-  /// knows that it is no foot has several groups.
+  /// Sites by which a record names a group: all, as who knows that a vertex between some of them is
+  /// no foot has several groups.
   [[nodiscard]] static std::vector<SiteId> named_in(std::span<const LocalForm> forms,
                                                     const Groups& groups, std::uint32_t group);
   /// A forest with a separator at each end parts the inside of a circle into regions: the ends of

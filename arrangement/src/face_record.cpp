@@ -151,14 +151,8 @@ void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, c
 std::vector<SiteId> FaceEngine::named_in(std::span<const LocalForm> forms, const Groups& groups,
                                          std::uint32_t group) {
   std::vector<SiteId> members;
-  int vertices = 0, edges = 0;  // degenerate vertices are no sites, but join edges
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    if (groups.of[i] != group) continue;
-    members.push_back(forms[i].site);
-    vertices += forms[i].kind == SiteKind::kVertex;
-    edges += forms[i].kind == SiteKind::kEdge;
-  }
-  if (vertices == 0 && edges < 2) members.resize(1);
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    if (groups.of[i] == group) members.push_back(forms[i].site);
   return members;
 }
 
