@@ -2,8 +2,9 @@
 """Writes docs/theta.md: the thesis' table 5.2 beside what `blum medial --theta-table` says.
 
 Usage: docs/make_theta.py TOOL MODELS_FOLDER [SECONDS]
-Runs the tool on each model below (time limit in seconds, default 120) and rewrites the page. Models
-that do not exist or are not certified within the limit are named as such. Standard library alone.
+Runs the tool on each model below (time limit in seconds, default 120; knot.off takes 1,100) and
+rewrites the page. Models that do not exist or are not certified within the limit are named as such.
+Standard library alone.
 """
 
 import csv

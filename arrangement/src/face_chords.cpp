@@ -93,8 +93,8 @@ bool FaceEngine::accept_chords(const Box& box, const Border& border,
     const auto d = direction(gains, forms, range);
     if (!d) return false;
     if (context_.parts == nullptr) continue;
-    for (const SiteId a : named_in(forms, groups, groups.of[gains[0].i]))
-      for (const SiteId b : named_in(forms, groups, groups.of[gains[0].j]))
+    for (const SiteId a : groups.members(forms, groups.of[gains[0].i]))
+      for (const SiteId b : groups.members(forms, groups.of[gains[0].j]))
         between.push_back({a, b, in_plane(*d)});
   }
   std::vector<std::vector<std::uint32_t>> regions;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "blum/kernel/angular_span.hpp"
+
 namespace blum {
 namespace {
 
@@ -14,13 +16,7 @@ constexpr double kAside = 0x1p-44;
 /// A direction w (in the plane) with g . w < 0 for all given vectors, if they span less than pi.
 std::optional<std::array<double, 2>> opposite(std::span<const std::array<double, 2>> g) {
   const auto& first = g.front();
-  double lo = 0, hi = 0;
-  for (const auto& x : g) {
-    const double angle =
-        std::atan2(first[0] * x[1] - first[1] * x[0], first[0] * x[0] + first[1] * x[1]);
-    lo = std::min(lo, angle);
-    hi = std::max(hi, angle);
-  }
+  const auto [lo, hi] = angular_span(g);
   if (!(hi - lo < 3.1415)) return std::nullopt;
   const double turn = 0.5 * (lo + hi), c = std::cos(turn), s = std::sin(turn);
   const double length = std::hypot(first[0], first[1]);

@@ -162,9 +162,7 @@ bool FaceEngine::meet_in_one_point(const Box& box, std::span<const LocalForm> fo
   for (const Step& s : circle)
     if (s.kind == Step::Kind::kInterval || s.kind == Step::Kind::kTrace) {
       const auto g = groups.find(forms, s.label);
-      if (!sites[g].empty()) continue;
-      for (std::size_t i = 0; i < forms.size(); ++i)
-        if (groups.of[i] == g) sites[g].push_back(forms[i].site);
+      if (sites[g].empty()) sites[g] = groups.members(forms, g);
     }
   std::erase_if(sites, [](const auto& g) { return g.empty(); });
   const Rect& r = problem_.rect;

@@ -234,10 +234,6 @@ class FaceEngine {
             std::array<std::uint32_t, 2> edge = {});
   void note(PartRecord::Kind kind, std::span<const LocalForm> forms, const Groups& groups,
             const Directions& directions);
-  /// Sites by which a record names a group: all, as who knows that a vertex between some of them is
-  /// no foot has several groups.
-  [[nodiscard]] static std::vector<SiteId> named_in(std::span<const LocalForm> forms,
-                                                    const Groups& groups, std::uint32_t group);
   /// A forest with a separator at each end parts the inside of a circle into regions: the ends of
   /// each tree, from the regions of the intervals; interval k follows end k.
   using Trees = std::map<std::uint32_t, std::vector<std::uint32_t>>;

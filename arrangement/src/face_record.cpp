@@ -143,17 +143,10 @@ void FaceEngine::note(PartRecord::Kind kind, std::span<const LocalForm> forms, c
   if (context_.parts == nullptr) return;
   note(kind, forms);
   for (std::uint32_t g = 0; g < directions.size(); ++g)
+    // All sites: who knows that a vertex between some of them is no foot has several groups.
     if (directions[g])
-      for (const SiteId s : named_in(forms, groups, g))
+      for (const SiteId s : groups.members(forms, g))
         context_.parts->back().direction.emplace_back(s, in_plane(*directions[g]));
-}
-
-std::vector<SiteId> FaceEngine::named_in(std::span<const LocalForm> forms, const Groups& groups,
-                                         std::uint32_t group) {
-  std::vector<SiteId> members;
-  for (std::size_t i = 0; i < forms.size(); ++i)
-    if (groups.of[i] == group) members.push_back(forms[i].site);
-  return members;
 }
 
 PlaneDirection FaceEngine::in_plane(const Direction& d) const {

@@ -66,6 +66,13 @@ std::uint32_t Groups::find(std::span<const LocalForm> forms, SiteId s) const {
   return count;
 }
 
+std::vector<SiteId> Groups::members(std::span<const LocalForm> forms, std::uint32_t group) const {
+  std::vector<SiteId> sites;
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    if (of[i] == group) sites.push_back(forms[i].site);
+  return sites;
+}
+
 CommonCorners common_corners(const SiteGeometry& geometry, SiteId a, SiteId b) {
   int na = 0, nb = 0;
   const auto ca = geometry.corners(a, na), cb = geometry.corners(b, nb);

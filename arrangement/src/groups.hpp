@@ -24,6 +24,9 @@ struct Groups {
 
   /// Group of a site; count if it is not among the forms.
   [[nodiscard]] std::uint32_t find(std::span<const LocalForm> forms, SiteId s) const;
+  /// Sites of a group.
+  [[nodiscard]] std::vector<SiteId> members(std::span<const LocalForm> forms,
+                                            std::uint32_t group) const;
   friend bool operator==(const Groups&, const Groups&) = default;
 };
 

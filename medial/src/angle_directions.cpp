@@ -75,13 +75,17 @@ Point3 center_of(const Box3& box) {
   return c;
 }
 
-double radius_of(const Box3& box) {
+std::array<double, 3> half_widths_of(const Box3& box) {
   const Point3 c = center_of(box);
+  std::array<double, 3> h{};
+  for (int k = 0; k < 3; ++k)
+    h[static_cast<std::size_t>(k)] = std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
+  return h;
+}
+
+double radius_of(const Box3& box) {
   double squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double r = std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
-    squared += r * r;
-  }
+  for (const double h : half_widths_of(box)) squared += h * h;
   return std::sqrt(squared) * (1 + 1e-14) + 1e-150;
 }
 
@@ -98,13 +102,12 @@ double reach_of(const SiteGeometry& geometry, SiteId site, const Box3& box) {
   const double radius = radius_of(box);
   const SiteKind kind = geometry.index().kind(site);
   if (kind == SiteKind::kVertex) return radius;
-  const Point3 c = center_of(box);
+  const auto half = half_widths_of(box);
   double reach = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     const Ball along = square(geometry.unit(site)[k]);
     const Ball across = kind == SiteKind::kFace ? along : Ball(1) - along;
-    const double half = std::max(box.hi[k] - c[k], c[k] - box.lo[k]);
-    reach += std::sqrt(std::max(0.0, across.high())) * half;
+    reach += std::sqrt(std::max(0.0, across.high())) * half[k];
   }
   return std::min(radius, reach * (1 + 1e-14) + 1e-150);
 }

@@ -83,6 +83,8 @@ struct Governed {
 [[nodiscard]] bool may_tie(const SiteView& a, const SiteView& b, double radius);
 
 [[nodiscard]] Point3 center_of(const Box3& box);
+/// The largest distances from there along the axes, but for one rounding each.
+[[nodiscard]] std::array<double, 3> half_widths_of(const Box3& box);
 [[nodiscard]] double radius_of(const Box3& box);
 
 }  // namespace blum

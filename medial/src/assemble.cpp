@@ -202,7 +202,7 @@ void Assembler::add_leaves() {
   for (std::uint32_t l = 0; l < leaves.size() && !in_.stopped(); ++l) {
     if (!is_accepted(leaves[l]) || dropped_[l]) continue;
     std::vector<Crossing> tube;  // arcs by their place in the base
-    if (!leaves[l].tube.empty()) {
+    if (!leaves[l].tube.empty() && !base_[l].arc.empty()) {
       if (auto found = tube_of(l))
         tube = *std::move(found);
       else

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "blum/arrangement/polar_cone.hpp"
+#include "blum/kernel/angular_span.hpp"
 #include "blum/kernel/closest_point.hpp"
 #include "blum/kernel/union_find.hpp"
 
@@ -58,13 +59,7 @@ std::vector<Plane> gradients(const SiteGeometry& geometry, const Rect& part, Sit
 /// The middle of the directions of some vectors that span less than pi.
 PlaneDirection middle_of(std::span<const Plane> vectors) {
   const Plane& first = vectors.front();
-  double low = 0, high = 0;
-  for (const Plane& x : vectors) {
-    const double angle =
-        std::atan2(first[0] * x[1] - first[1] * x[0], first[0] * x[0] + first[1] * x[1]);
-    low = std::min(low, angle);
-    high = std::max(high, angle);
-  }
+  const auto [low, high] = angular_span(vectors);
   const double turn = std::atan2(first[1], first[0]) + 0.5 * (low + high);
   return {std::cos(turn), std::sin(turn), {}};
 }

@@ -205,8 +205,8 @@ double angle_on_tie_at_most(const SiteGeometry& geometry, const SiteView& a, con
   add(tie[0], -1, ww);
   if (third) add(tie[1], -1, square(carrier(geometry, *third)));
   const Point3 c = center_of(box);
-  HalfWidths h;
-  for (int k = 0; k < 3; ++k) h[k] = std::max(box.hi[k] - c[k], c[k] - box.lo[k]) * (1 + 1e-15);
+  HalfWidths h = half_widths_of(box);
+  for (double& half : h) half *= 1 + 1e-15;
   const auto least_on_ties = [&](Form form) {
     const Shares m = best_shares(form, tie, third != nullptr, h);
     add(form, m[0], tie[0]);

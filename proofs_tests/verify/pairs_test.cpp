@@ -24,6 +24,11 @@ struct Checked {
         shape(solid.point, triangles(solid)),
         sites(shape),
         exclusion(sites) {}
+  [[nodiscard]] std::vector<std::uint32_t> every_triangle() const {
+    std::vector<std::uint32_t> every(shape.triangle.size());
+    std::iota(every.begin(), every.end(), 0u);
+    return every;
+  }
   static std::vector<std::array<std::uint32_t, 3>> triangles(const Solid& s) {
     std::vector<std::array<std::uint32_t, 3>> t;
     for (const SolidTriangle& x : s.triangle) t.push_back(x.vertex);
@@ -48,8 +53,7 @@ TEST(VerifyExclusion, FarWallOfAThinPlate_OneLookTellsAcrossTheNearOne) {
   }
   ASSERT_NE(bottom, top);
   const std::vector<Site> both{bottom, top};
-  std::vector<std::uint32_t> every(c.shape.triangle.size());
-  std::iota(every.begin(), every.end(), 0u);
+  const auto every = c.every_triangle();
   EXPECT_TRUE(c.exclusion.governs_nothing(bottom, box, both, every, 1));
   EXPECT_FALSE(c.exclusion.governs_nothing(top, box, both, every, 1000));
 }
@@ -79,8 +83,7 @@ TEST(VerifyExclusion, FloorOfAHallBelowItsRidge_OneLookTells) {
       under.push_back(every_site.back());
   }
   ASSERT_FALSE(under.empty());
-  std::vector<std::uint32_t> every(c.shape.triangle.size());
-  std::iota(every.begin(), every.end(), 0u);
+  const auto every = c.every_triangle();
   for (const Site s : under) {
     EXPECT_TRUE(c.exclusion.governs_nothing(s, below_ridge(0.55), every_site, every, 1));
     EXPECT_FALSE(c.exclusion.governs_nothing(s, below_ridge(0.45), every_site, every, 1000));
@@ -97,8 +100,7 @@ TEST(VerifyExclusion, ThinPolarConeBesideABox_GovernsNothing) {
   const Site s = c.shape.vertex_site(43);
   ASSERT_EQ(c.shape.point.size(), 55u);
   ASSERT_TRUE(std::ranges::binary_search(c.shape.candidates(), s));
-  std::vector<std::uint32_t> every(c.shape.triangle.size());
-  std::iota(every.begin(), every.end(), 0u);
+  const auto every = c.every_triangle();
   EXPECT_FALSE(c.sites.beyond(s, box));
   EXPECT_TRUE(c.exclusion.governs_nothing(s, box, {}, every, 2000));
 }

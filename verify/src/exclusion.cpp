@@ -99,8 +99,9 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   for (const Site s : against) {
     const auto corner = shape.corners(s);
     const bool face = shape.kind(s) == Kind::kFace;
+    const bool covers_center = sites_.covers(s, {v.center, v.center});
     // Its foot where the centre projects into it; else that on its sides.
-    if (face && sites_.covers(s, {v.center, v.center})) {
+    if (face && covers_center) {
       const BallVector& n = unit_[shape.element(s)];
       look(times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
     } else {
@@ -108,8 +109,10 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
         look(from_side(v.center, shape.point[corner[k]],
                        shape.point[corner[(k + 1) % corner.size()]]));
     }
-    if (sites_.covers(s, box))
-      v.reference.emplace_back(sites_.square_of_distance(v.center, s).mid, s);
+    if (covers_center && sites_.covers(s, box)) {
+      const double square = sites_.square_of_distance(v.center, s).mid;
+      v.reference.emplace_back(square >= 0 ? square : kInfinity, s);  // none: an overflow
+    }
   }
   std::ranges::sort(v.reference);
   v.reference.resize(std::min(v.reference.size(), kReferences));
