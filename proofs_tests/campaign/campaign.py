@@ -2,6 +2,7 @@
 """Runs `blum medial` on families of generated models and records every run (README.md here).
 
     campaign.py run    --tool BLUM --store RUNS.db --count 1000 [--workers 2] [--families a,b]
+    campaign.py run    --tool BLUM --store RUNS.db --files FOLDER... [--count 1000]
     campaign.py table  --store RUNS.db [--commit ID]
     campaign.py list   --store RUNS.db [--outcome undecided]
     campaign.py replay --tool BLUM --store RUNS.db ID
@@ -21,8 +22,10 @@ import subprocess
 import sys
 import time
 
+import families
+import files
 import table
-from families import FAMILIES, generate
+from families import FAMILIES
 from mesh import Mesh, betti_numbers
 from runner import CERTIFIED, Limits, OUTCOMES, Runner, is_defect
 from shrink import Shrinker
@@ -44,16 +47,30 @@ def commit_of(tool):
     return commit + ("-changed" if git("status", "--porcelain", "--untracked-files=no") else "")
 
 
+def generate(family, seed):
+    """A family that is not of families.py is a file."""
+    return (families if family in FAMILIES else files).generate(family, seed)
+
+
+def names_of(arguments):
+    if not arguments.files:
+        return arguments.families.split(",") if arguments.families else list(FAMILIES)
+    names, others = files.found(arguments.files)
+    for other in others:
+        print(f"{other}: no mesh of faces", file=sys.stderr)
+    return names
+
+
 def plan(arguments, store, done):
     """(index, (family, seed)) of the runs that are missing, of every family in turn; or of those that
     once ended otherwise than certified."""
-    names = arguments.families.split(",") if arguments.families else list(FAMILIES)
+    names = names_of(arguments)
     if arguments.again:
         rows = store.runs("outcome = ? AND limits != ?", (arguments.again, limits_of(arguments).text()))
         jobs = sorted({(row["family"], row["seed"]) for row in rows if row["family"] in names})
     else:
         jobs = [(names[i % len(names)], arguments.first_seed + i // len(names))
-                for i in range(arguments.count)]
+                for i in range(arguments.count or len(names))]
     return ((i, job) for i, job in enumerate(jobs) if job not in done)
 
 
@@ -241,13 +258,17 @@ def parser():
         return p
 
     p = command("run", run, True)
-    what = p.add_mutually_exclusive_group(required=True)
-    what.add_argument("--count", type=int,
-                      help="runs of this commit and these limits that the store shall hold")
+    what = p.add_mutually_exclusive_group()
+    what.add_argument("--count", type=int, default=0,
+                      help="runs of this commit and these limits that the store shall hold (default: "
+                           "one of each family or file)")
     what.add_argument("--again", choices=OUTCOMES,
                       help="the models that ended so with other limits")
     p.add_argument("--workers", type=int, default=1)
-    p.add_argument("--families", help="some of " + ",".join(FAMILIES))
+    models = p.add_mutually_exclusive_group()
+    models.add_argument("--families", help="some of " + ",".join(FAMILIES))
+    models.add_argument("--files", nargs="+", metavar="FOLDER",
+                        help="OFF, OBJ and STL files instead of families; from seed 2 on in another guise")
     p.add_argument("--first-seed", type=int, default=1)
     p.add_argument("--seconds", type=float, default=0, help="start no run after so long")
     p.add_argument("--commit", help="what to record (default: git's HEAD where the tool stands)")

@@ -1,6 +1,7 @@
 """What the runs say, by family."""
 
 import collections
+import pathlib
 import statistics
 
 from runner import CERTIFIED, CRASH, INVALID, KILLED, UNDECIDED, VERIFIED, WRONG
@@ -27,7 +28,7 @@ def text(rows):
     families = {}
     for row in rows:
         families.setdefault(row["family"], []).append(row)
-    lines = [HEAD] + [line(name, members) for name, members in sorted(families.items())]
+    lines = [HEAD] + [line(pathlib.Path(name).name, members) for name, members in sorted(families.items())]
     lines.append(line("all", rows))
     widths = [max(len(str(cells[i])) for cells in lines) for i in range(len(HEAD))]
     out = ["  ".join(str(c).ljust(w) if i == 0 else str(c).rjust(w)

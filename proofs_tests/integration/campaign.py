@@ -2,8 +2,11 @@
 notice (a tool that lies, crashes or hangs); replays; shrinks."""
 
 import json
+import pathlib
+import random
 import signal
 import sqlite3
+import struct
 import subprocess
 import sys
 import unittest
@@ -18,7 +21,7 @@ import convex  # noqa: E402
 import families  # noqa: E402
 import thin  # noqa: E402
 from facets import merged, retriangulated  # noqa: E402
-from mesh import betti_numbers, integers, triangles, volume  # noqa: E402
+from mesh import Mesh, betti_numbers, integers, triangles, volume  # noqa: E402
 from voxels import of_pattern, unit_planes  # noqa: E402
 
 # Runs the tool, then changes what it leaves behind, as the first argument says.
@@ -142,6 +145,42 @@ class Campaign(ToolTest):
                 found = self.runs("outcome, reason")[-1]
                 self.assertEqual(found[0], outcome)
                 self.assertTrue(found[1].startswith(reason), found)
+
+    def test_models_from_files(self):
+        cube = convex.prism(4, 1)
+        models = self.folder / "models" / "deeper"
+        models.mkdir(parents=True)
+        (models / "cube.off").write_text("# a comment\n" + cube.off())
+        (models / "twice.off").write_text("# a comment\n" + cube.off())
+        (models / "inwards.obj").write_text(
+            "".join("v %r %r %r\n" % p for p in cube.points) +
+            "".join("f " + " ".join(f"{v + 1}/7/8" for v in f[::-1]) + "\n" for f in cube.faces))
+        corners = [cube.points[v] for f in retriangulated(cube, random.Random(1)).faces for v in f]
+        (models / "ascii.stl").write_text(
+            "solid x\n" + "".join("vertex %r %r %r\n" % p for p in corners) + "endsolid x\n")
+        (models / "binary.STL").write_bytes(
+            bytes(80) + struct.pack("<I", len(corners) // 3) + b"".join(
+                bytes(12) + b"".join(struct.pack("<3f", *p) for p in corners[i:i + 3]) + bytes(2)
+                for i in range(0, len(corners), 3)))
+        (models / "open.off").write_text(Mesh(cube.points, cube.faces[1:]).off())
+        for name, content in [("cut.off", "OFF\n4 4 0\n0 0 0\n"), ("edge.off", "OFF\n2 1 0\n0 0 0\n"
+                              "1 0 0\n2 0 1\n"), ("nan.obj", "v nan 0 0\nf 1 1 1\n"),
+                              ("points.obj", "v 1 2 3\n"), ("words.stl", "solid")]:
+            (models / name).write_text(content)
+        result = self.campaign("run", "--files", "models", "--verify", "1", "--time-limit", "5")
+        self.expect(result, 0)
+        self.assertEqual(result.stderr.count("no mesh of faces"), 5, result.stderr)
+        solid = ("certified", "verified", "[1, 0, 0]")
+        rows = {pathlib.Path(name).name: rest for name, *rest in
+                self.runs("family, outcome, certificate, betti_expected, seed")}
+        self.assertEqual(rows, {"open.off": ["invalid", None, None, 1], **{
+            name: [*solid, 1] for name in ("cube.off", "inwards.obj", "ascii.stl", "binary.STL")}})
+        self.expect(self.campaign("run", "--files", "models", "--count", "11", "--time-limit", "5"), 0)
+        changed = self.runs("seed, parameters, outcome")[5:]
+        self.assertEqual([seed for seed, _, _ in changed], [2] * 5 + [3])
+        self.assertTrue(any(json.loads(p)["changes"] for _, p, _ in changed))
+        self.assertLessEqual({outcome for _, _, outcome in changed}, {"certified", "invalid"})
+        self.expect(self.campaign("replay", "1"), 0)
 
     def test_certificates(self):
         arguments = ["--count", "2", "--families", "boxes", "--verify", "1", "--time-limit", "5"]
