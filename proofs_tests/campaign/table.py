@@ -7,7 +7,13 @@ import statistics
 from runner import CERTIFIED, CRASH, INVALID, KILLED, UNDECIDED, VERIFIED, WRONG
 
 HEAD = ["family", "runs", "invalid", "certified", "undecided", "wrong", "crash", "killed",
-        "not certified", "verified", "sites", "time s", "most s", "most MiB"]
+        "not certified", "verified", "write s", "verify s", "sites", "time s", "most s", "most MiB"]
+
+
+def median(rows, column):
+    """Of the runs that have it: `write s` is a whole run with a certificate."""
+    values = [row[column] for row in rows if row[column] is not None]
+    return f"{statistics.median(values):.2f}" if values else "-"
 
 
 def line(name, rows):
@@ -18,7 +24,8 @@ def line(name, rows):
     asked = collections.Counter(row["certificate"] for row in rows if row["certificate"])
     return [name, len(rows), count[INVALID], count[CERTIFIED], count[UNDECIDED], count[WRONG],
             count[CRASH], count[KILLED], f"{100 * share:.1f} %",
-            f"{asked[VERIFIED]} of {asked.total()}",
+            f"{asked[VERIFIED]} of {asked.total()}", median(rows, "certificate_s"),
+            median(rows, "verify_s"),
             max((row["sites"] or 0 for row in valid), default=0),
             f"{statistics.median(times):.2f}", f"{max(times):.1f}",
             f"{max((row['memory'] or 0 for row in valid), default=0) / 2**20:.0f}"]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace blum::verify {
 namespace {
@@ -35,6 +36,7 @@ struct Exclusion::View {
   double nearest = kInfinity;                      // of what is below, squared
   BallVector from_foot;                            // to the centre, from a point of ∂O
   std::vector<std::pair<double, Site>> reference;  // the nearest sites that cover the box
+  std::vector<Site> close;                         // near enough to be nearest somewhere in it
 };
 
 Exclusion::Exclusion(const Sites& sites) : sites_(sites) {
@@ -89,25 +91,28 @@ bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
 
 Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) const {
   const Shape& shape = sites_.shape();
-  View v{center_of(box), kInfinity, {}, {}};
-  const auto look = [&](const BallVector& from_foot) {
+  View v{center_of(box), kInfinity, {}, {}, {}};
+  std::vector<double> least(against.size(), kInfinity);
+  const auto look = [&](double& least, const BallVector& from_foot) {
     const double square = dot(from_foot, from_foot).mid;
+    if (square < least) least = square;
     if (!(square < v.nearest)) return;
     v.nearest = square;
     v.from_foot = from_foot;
   };
-  for (const Site s : against) {
+  for (std::size_t i = 0; i < against.size(); ++i) {
+    const Site s = against[i];
     const auto corner = shape.corners(s);
     const bool face = shape.kind(s) == Kind::kFace;
     const bool covers_center = sites_.covers(s, {v.center, v.center});
     // Its foot where the centre projects into it; else that on its sides.
     if (face && covers_center) {
       const BallVector& n = unit_[shape.element(s)];
-      look(times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
+      look(least[i], times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
     } else {
       for (std::size_t k = 0; k < corner.size(); ++k)
-        look(from_side(v.center, shape.point[corner[k]],
-                       shape.point[corner[(k + 1) % corner.size()]]));
+        look(least[i], from_side(v.center, shape.point[corner[k]],
+                                 shape.point[corner[(k + 1) % corner.size()]]));
     }
     if (covers_center && sites_.covers(s, box)) {
       const double square = sites_.square_of_distance(v.center, s).mid;
@@ -116,6 +121,10 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   }
   std::ranges::sort(v.reference);
   v.reference.resize(std::min(v.reference.size(), kReferences));
+  const auto h = half_widths(box);
+  const double reach = std::sqrt(v.nearest) + 2 * std::hypot(h[0], h[1], h[2]);
+  for (std::size_t i = 0; i < against.size(); ++i)
+    if (!(std::sqrt(least[i]) > reach)) v.close.push_back(against[i]);
   return v;
 }
 
@@ -135,15 +144,31 @@ bool Exclusion::gone(Site s, const Box3& box, const View& view) const {
          });
 }
 
-bool Exclusion::halves(Site s, const Box3& box, std::span<const Site> against,
-                       std::span<const std::uint32_t> triangles, int& looks) const {
+struct Exclusion::Piece {
+  Box3 box;
+  View view;
+  std::optional<std::vector<std::uint32_t>> triangles{};  // those that meet it, once asked for
+  bool outside = false;
+  std::array<std::unique_ptr<Piece>, 2> half{};
+};
+
+bool Exclusion::governs_nothing(Site s, Piece& piece, std::span<const std::uint32_t> triangles,
+                                int& looks) const {
   if (--looks < 0) return false;
-  if (gone(s, box, view(box, against))) return true;
-  const std::vector<std::uint32_t> meeting = sites_.meeting(triangles, box);
-  if (meeting.empty() && is_inside(sites_.shape(), center_of(box)) == false) return true;
-  const auto half = halved(box);
-  return half && halves(s, (*half)[0], against, meeting, looks) &&
-         halves(s, (*half)[1], against, meeting, looks);
+  if (gone(s, piece.box, piece.view)) return true;
+  if (!piece.triangles) {
+    piece.triangles = sites_.meeting(triangles, piece.box);
+    piece.outside = !triangles.empty() && piece.triangles->empty() &&
+                    is_inside(sites_.shape(), center_of(piece.box)) == false;
+  }
+  if (piece.outside) return true;
+  const auto box = halved(piece.box);
+  for (std::size_t k = 0; box && k < 2; ++k) {
+    auto& half = piece.half[k];
+    if (!half) half = std::make_unique<Piece>((*box)[k], view((*box)[k], piece.view.close));
+    if (!governs_nothing(s, *half, *piece.triangles, looks)) return false;
+  }
+  return box.has_value();
 }
 
 bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
@@ -151,11 +176,17 @@ bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
          !sites_.domain_meets(s, box);
 }
 
-bool Exclusion::governs_nothing(Site s, const Box3& box, std::span<const Site> against,
-                                std::span<const std::uint32_t> triangles, int most) const {
-  int looks = most;
-  return outside_polar_cone(s, box) || halves(s, box, against, triangles, looks) ||
-         !sites_.domain_meets(s, box);
+std::vector<Site> Exclusion::may_govern(std::span<const Site> sites, const Box3& box,
+                                        std::span<const Site> against,
+                                        std::span<const std::uint32_t> triangles, int most) const {
+  Piece whole{box, view(box, against)};
+  std::vector<Site> kept;
+  std::ranges::copy_if(sites, std::back_inserter(kept), [&](Site s) {
+    int looks = most;
+    return !outside_polar_cone(s, box) && !governs_nothing(s, whole, triangles, looks) &&
+           sites_.domain_meets(s, box);
+  });
+  return kept;
 }
 
 std::vector<Site> Exclusion::remaining(std::span<const Site> candidates, const Box3& box) const {

@@ -13,12 +13,13 @@ class Exclusion {
  public:
   explicit Exclusion(const Sites& sites);
 
-  /// Is it certain that s governs no point of box ∩ O? `against`: sites whose distances are bounds;
-  /// `triangles`: all that meet the box. Halves the box where needed, and looks at `most` boxes at
-  /// most.
-  [[nodiscard]] bool governs_nothing(Site s, const Box3& box, std::span<const Site> against,
-                                     std::span<const std::uint32_t> triangles,
-                                     int most = 2000) const;
+  /// Of `sites` those of which it is not certain that they govern no point of box ∩ O. `against`:
+  /// sites whose distances are bounds; `triangles`: all that meet the box. Halves the box where
+  /// needed, and looks at `most` boxes a site at most.
+  [[nodiscard]] std::vector<Site> may_govern(std::span<const Site> sites, const Box3& box,
+                                             std::span<const Site> against,
+                                             std::span<const std::uint32_t> triangles,
+                                             int most = 2000) const;
   /// A vertex whose polar cone misses the box, which is flat: it governs nothing there.
   [[nodiscard]] bool outside_polar_cone(Site s, const Box3& box) const;
   /// Those of `candidates` that may govern a point of box ∩ O, by one look at the whole box.
@@ -42,8 +43,9 @@ class Exclusion {
   [[nodiscard]] bool farther(Site a, Site b, const Box3& box, bool inside_b) const;
   [[nodiscard]] bool behind_foot(Site s, const Box3& box, const View& view) const;
   [[nodiscard]] bool gone(Site s, const Box3& box, const View& view) const;
-  [[nodiscard]] bool halves(Site s, const Box3& box, std::span<const Site> against,
-                            std::span<const std::uint32_t> triangles, int& looks) const;
+  struct Piece;  // what all sites have in common there
+  [[nodiscard]] bool governs_nothing(Site s, Piece& piece, std::span<const std::uint32_t> triangles,
+                                     int& looks) const;
 
   const Sites& sites_;
   std::vector<BallVector> unit_;

@@ -157,10 +157,11 @@ void FaceChecker::record(const Circle& circle, const Part& part, const Groups& f
 
 /// Those listed, and all that are not shown to govern nothing.
 std::vector<Site> FaceChecker::may_govern(const Box& box, std::span<const Site> listed) const {
-  std::vector<Site> sites;
+  std::vector<Site> others, sites;
+  std::ranges::set_difference(box.candidates, listed, std::back_inserter(others));
+  others = exclusion_.may_govern(others, box_of(box.rect), listed, triangles_);
   std::ranges::copy_if(box.candidates, std::back_inserter(sites), [&](Site s) {
-    return std::ranges::binary_search(listed, s) ||
-           !exclusion_.governs_nothing(s, box_of(box.rect), listed, triangles_);
+    return std::ranges::binary_search(listed, s) || std::ranges::binary_search(others, s);
   });
   return sites;
 }

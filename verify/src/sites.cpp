@@ -71,6 +71,8 @@ bool Sites::beyond(Site s, const Box3& box) const {
 }
 
 bool Sites::domain_meets(Site s, const Box3& box) const {
+  if (beyond(s, box)) return false;
+  if (in_domain(center_of(box), s)) return true;
   int flat = 0;
   while (flat < 3 && box.lo[flat] != box.hi[flat]) ++flat;
   for (int axis = 0; flat == 3 && axis < 3; ++axis)

@@ -95,14 +95,12 @@ bool Checker::inside(const Point3& x) {
 void Checker::exclude(const json& excluded, const Box3& box, const Triangles& triangles,
                       Candidates& candidates, int looks) {
   const std::vector<Site> sites = read_sites(excluded, shape_.sites());
-  std::vector<Site> kept, still;
+  std::vector<Site> kept;
   std::ranges::set_difference(candidates.kept, sites, std::back_inserter(kept));
   std::ranges::set_intersection(candidates.kept, sites, std::back_inserter(candidates.pending));
-  for (const Site s : candidates.pending) {
-    ++answer_.exclusions;
-    if (!exclusion_.governs_nothing(s, box, kept, triangles, looks)) still.push_back(s);
-  }
-  candidates = {std::move(kept), std::move(still)};
+  answer_.exclusions += candidates.pending.size();
+  candidates.pending = exclusion_.may_govern(candidates.pending, box, kept, triangles, looks);
+  candidates.kept = std::move(kept);
 }
 
 FaceMap Checker::check_rectangle(const Rect& rect, const json& j, std::span<const Site> candidates,
