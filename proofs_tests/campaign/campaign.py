@@ -170,7 +170,7 @@ def selected(arguments):
 
 
 def print_table(arguments):
-    print(table.text(selected(arguments)))
+    print((table.certificates if arguments.certificates else table.text)(selected(arguments)))
 
 
 def print_list(arguments):
@@ -277,6 +277,8 @@ def parser():
         p = command(name, function, False)
         p.add_argument("--commit")
         p.add_argument("--outcome", choices=OUTCOMES)
+        if function is print_table:
+            p.add_argument("--certificates", action="store_true", help="a line a verified run")
     for name, function, runs in (("replay", replay, True), ("model", write_model, False),
                                  ("shrink", shrink, True)):
         p = command(name, function, runs)

@@ -11,7 +11,8 @@ HEAD = ["family", "runs", "invalid", "certified", "undecided", "wrong", "crash",
 
 
 def median(rows, column):
-    """Of the runs that have it: `write s` is a whole run with a certificate."""
+    """Of the runs that have it. `write s`, `verify s`: processor time of a run with a certificate, and of
+    verifying that."""
     values = [row[column] for row in rows if row[column] is not None]
     return f"{statistics.median(values):.2f}" if values else "-"
 
@@ -59,3 +60,14 @@ def text(rows):
         out.append(f"  {n:5}  {outcome}: {statement}  (" + ", ".join(ids[:6]) +
                    (", ..." if n > 6 else "") + ")")
     return "\n".join(out)
+
+
+def certificates(rows):
+    """Every verified run for a page: processor seconds, most memory."""
+    lines = ["| model | faces | `medial --certificate` | `verify` | certificate |", "|---|---|---|---|---|"]
+    for r in sorted((r for r in rows if r["certificate"] == VERIFIED), key=lambda r: r["faces"]):
+        name = pathlib.Path(r["family"]).stem + (f" {r['seed']}" if r["seed"] > 1 else "")
+        lines.append(f"| {name} | {r['faces']} | {r['certificate_s']:.2f} s, "
+                     f"{r['certificate_memory'] / 2**20:.0f} MiB | {r['verify_s']:.2f} s, "
+                     f"{r['verify_memory'] / 2**20:.0f} MiB | {r['certificate_bytes'] / 1e6:.2f} MB |")
+    return "\n".join(lines)

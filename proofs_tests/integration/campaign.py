@@ -187,6 +187,10 @@ class Campaign(ToolTest):
         self.expect(self.campaign("run", *arguments), 0)
         self.assertEqual(self.runs("outcome, certificate"), [("certified", "verified")] * 2)
         self.assertIn(" 2 of 2 ", self.campaign("table").stdout)
+        lines = self.campaign("table", "--certificates").stdout.splitlines()
+        self.assertEqual(len(lines), 4)
+        for line in lines[2:]:
+            self.assertRegex(line, r"^\| boxes( 2)? \| \d+ \| .* s, .* MiB \| .* s, .* MiB \| .* MB \|$")
 
         liar = self.liar("refuses")
         result = self.campaign("run", *arguments, "--commit", "refuses", tool=liar)

@@ -6,7 +6,7 @@ import re
 import struct
 import time
 
-from tool import ToolTest, main
+from tool import SANITIZERS, ToolTest, main
 
 REASON = {"depth": 0, "cells": 1, "time": 2, "face_undecided": 3, "memory": 4}
 
@@ -56,7 +56,8 @@ class Limits(ToolTest):
 
     def test_memory(self):
         summary = self.expect_undecided("memory", "--max-memory", "40", "--threads", "2")
-        self.assertLess(summary["peak_memory_bytes"], (40 + 64) << 20)
+        beyond = 256 if SANITIZERS else 64  # sanitizers keep what is freed, and shadows of it
+        self.assertLess(summary["peak_memory_bytes"], (40 + beyond) << 20)
 
     def test_cells(self):
         for threads in ["1", "3"]:

@@ -252,8 +252,9 @@ void Surface::check_graph() {
   for (const auto& a : arc_) joined.unite(a[0], a[1]);
   for (std::size_t f = 0; f < 6; ++f) {
     for (std::uint32_t r = 0; r < face_[f].region.size(); ++r)
-      closed[region(f, r)] =
-          std::ranges::all_of(face_[f].region[r].labels, [&](Site s) { return flow(f, s) > 0; });
+      closed[region(f, r)] = std::ranges::all_of(face_[f].region[r].labels, [&](Site s) {
+        return flow(f, s) > 0 || !sites_.domain_meets(s, box_of(face_[f].rect));
+      });
     for (const FaceMap::Arc& a : face_[f].arc)
       for (const auto r : a.region)
         if (closed[region(f, r)]) joined.unite(node(f, a.node[0]), graph_.size() + region(f, r));

@@ -138,7 +138,9 @@ bool SharedFeet::vertex(std::uint32_t v) const {
   const Site s = shape_.vertex_site(v);
   if (shape_.cone[v].never_foot) return false;
   if (std::ranges::binary_search(shape_.candidates(), s) && !listed(s)) return false;
-  return !exclusion_.outside_polar_cone(s, box_);
+  const auto [it, fresh] = in_cone_.try_emplace(v, false);
+  if (fresh) it->second = !exclusion_.outside_polar_cone(s, box_);
+  return it->second;
 }
 
 bool SharedFeet::edge(std::uint32_t v, std::uint32_t p) const {

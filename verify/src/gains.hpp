@@ -2,6 +2,8 @@
 /// direction (docs/proofs.md, Theorem D', D'', "Depth", "Two edges at a vertex", "Halves").
 #pragma once
 
+#include <map>
+
 #include "exclusion.hpp"
 
 namespace blum::verify {
@@ -34,6 +36,7 @@ class SharedFeet {
   const Shape& shape_;
   std::span<const Site> sites_;
   Box3 box_;
+  mutable std::map<std::uint32_t, bool> in_cone_;  ///< by vertex asked for: may the box meet it?
 };
 
 [[nodiscard]] Groups groups_by_ties(const Sites& sites, std::span<const Site> list,

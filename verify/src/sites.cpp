@@ -241,7 +241,8 @@ bool Sites::behind(Site site, Site other) const {
   const auto i = shape_.element(site);
   const auto outside = [&](std::uint32_t t) {
     return std::ranges::all_of(shape_.corners(other), [&](std::uint32_t v) {
-      return shape_.side_of_plane(t, shape_.point[v]) >= 0;
+      return shape_.has_corner(shape_.face_site(t), v) ||
+             shape_.side_of_plane(t, shape_.point[v]) >= 0;
     });
   };
   if (shape_.kind(site) == Kind::kFace) return outside(i);
