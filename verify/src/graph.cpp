@@ -14,8 +14,12 @@ using Box = std::array<double, 4>;
 
 constexpr int kMostTries = 1000;  // to tell events apart that are nearer than doubles
 
+/// A coordinate that is a number of doubles may be given as an interval of that alone.
 bool overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+  const auto meet = [&](std::size_t k) {
+    return (a[k] < b[k + 1] && b[k] < a[k + 1]) || (a[k] == b[k] && a[k + 1] == b[k + 1]);
+  };
+  return meet(0) && meet(2);
 }
 
 bool holds(const Box& a, const Box& b) {
