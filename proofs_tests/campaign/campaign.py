@@ -53,12 +53,14 @@ def generate(family, seed):
 
 
 def names_of(arguments):
-    if not arguments.files:
-        return arguments.families.split(",") if arguments.families else list(FAMILIES)
-    names, others = files.found(arguments.files)
-    for other in others:
-        print(f"{other}: no mesh of faces", file=sys.stderr)
-    return names
+    if arguments.files:
+        names, others = files.found(arguments.files)
+        for other in others:
+            print(f"{other}: no mesh of faces", file=sys.stderr)
+        return names or sys.exit("no mesh files: " + ", ".join(arguments.files))
+    names = arguments.families.split(",") if arguments.families else list(FAMILIES)
+    unknown = [name for name in names if name not in FAMILIES]
+    return sys.exit("no such family: " + ", ".join(unknown)) if unknown else names
 
 
 def plan(arguments, store, done):
@@ -67,7 +69,8 @@ def plan(arguments, store, done):
     names = names_of(arguments)
     if arguments.again:
         rows = store.runs("outcome = ? AND limits != ?", (arguments.again, limits_of(arguments).text()))
-        jobs = sorted({(row["family"], row["seed"]) for row in rows if row["family"] in names})
+        every = not arguments.families and not arguments.files
+        jobs = sorted({(row["family"], row["seed"]) for row in rows if every or row["family"] in names})
     else:
         jobs = [(names[i % len(names)], arguments.first_seed + i // len(names))
                 for i in range(arguments.count or len(names))]

@@ -10,7 +10,7 @@ import re
 import struct
 
 import change
-from mesh import Mesh, betti_numbers
+from mesh import Mesh, betti_numbers, shells
 
 
 def off(content):
@@ -21,7 +21,7 @@ def off(content):
     head = lines.pop(0)[1:] or lines.pop(0)
     points, faces = int(head[0]), int(head[1])
     return ([tuple(map(float, line[:3])) for line in lines[:points]],
-            [list(map(int, line[1:1 + int(line[0])])) for line in lines[points:points + faces]])
+            [[int(line[k]) for k in range(1, 1 + int(line[0]))] for line in lines[points:points + faces]])
 
 
 def obj(content):
@@ -32,7 +32,7 @@ def obj(content):
             points.append(tuple(map(float, rest[:3])))
         elif word == "f":
             indices = [int(w.split("/")[0]) for w in rest]
-            faces.append([i - 1 if i > 0 else len(points) + i for i in indices])
+            faces.append([i - 1 if i >= 0 else len(points) + i for i in indices])
     return points, faces
 
 
@@ -57,12 +57,13 @@ def parsed(path, content):
     """ValueError where it is no such file."""
     try:
         points, faces = READERS[path.suffix.lower()](content)
-        mesh = Mesh(points, faces).compact()
     except (IndexError, OverflowError, struct.error) as problem:
         raise ValueError(problem) from problem
-    if any(len(f) < 3 for f in mesh.faces) or not all(math.isfinite(x) for p in mesh.points for x in p):
-        raise ValueError("a face of fewer than three corners, or a corner that is not finite")
-    return mesh
+    if not all(len(p) == 3 and all(map(math.isfinite, p)) for p in points):
+        raise ValueError("a corner without three finite coordinates")
+    if not all(len(f) >= 3 and all(0 <= v < len(points) for v in f) for f in faces):
+        raise ValueError("a face of fewer than three corners, or one of corners that are not there")
+    return Mesh(points, faces).compact()
 
 
 def found(folders):
@@ -89,12 +90,14 @@ def found(folders):
 
 
 def generate(name, seed):
-    """As of families.py, of a file; faces outward where that can be told."""
+    """As of families.py, of a file; faces outward where that can be told. Open surfaces have no guises:
+    facets cannot be triangulated anew there."""
     path = pathlib.Path(name)
-    mesh, parameters, rng = parsed(path, path.read_bytes()), {}, random.Random(f"{path.name}/{seed}")
+    mesh, parameters = parsed(path, path.read_bytes()), {"changes": []}
+    rng = random.Random(f"{path.name}/{seed}")
     turned = Mesh(mesh.points, [f[::-1] for f in mesh.faces])
     mesh = mesh if betti_numbers(turned) is None else turned
-    if seed > 1:
+    if seed > 1 and shells(mesh) is not None:
         mesh, parameters["changes"] = change.changed(mesh, change.draw(rng), rng)
     parameters["blum_seed"] = 1 if seed == 1 else rng.randint(1, 1000)
     return mesh, parameters, betti_numbers(mesh)

@@ -116,7 +116,8 @@ class Runner:
             "1", "--seed", str(blum_seed), *self.limits.arguments()])
         if made is None:
             return None
-        row = {"certificate_s": made["cpu_s"], "certificate_memory": made["memory"]}
+        row = {"certificate_s": made["time_s"], "certificate_cpu_s": made["cpu_s"],
+               "certificate_memory": made["memory"]}
         if made["late"]:
             return {**row, "outcome": KILLED, "reason": f"--certificate: {not_ended(made)}"}
         if made["exit_code"] == 3:
@@ -127,7 +128,8 @@ class Runner:
         checked = self._call(folder, [self.tool, "verify", "model.off", "y.cert"])
         if checked is None:
             return None
-        row.update(verify_s=checked["cpu_s"], verify_memory=checked["memory"])
+        row.update(verify_s=checked["time_s"], verify_cpu_s=checked["cpu_s"],
+                   verify_memory=checked["memory"])
         if checked["late"]:  # it has no limit of its own to keep
             return {**row, "certificate": INCOMPLETE, "statement": "not verified in time"}
         if checked["exit_code"] == 0:

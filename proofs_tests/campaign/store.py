@@ -14,7 +14,8 @@ COLUMNS = {
     "stage_exact": "INTEGER", "time_s": "REAL", "cpu_s": "REAL", "memory": "INTEGER",
     "exit_code": "INTEGER", "signal": "INTEGER", "late": "INTEGER", "axis_checked": "INTEGER",
     "certificate": "TEXT", "statement": "TEXT", "certificate_s": "REAL", "verify_s": "REAL",
-    "certificate_memory": "INTEGER", "verify_memory": "INTEGER",
+    "certificate_cpu_s": "REAL", "verify_cpu_s": "REAL", "certificate_memory": "INTEGER",
+    "verify_memory": "INTEGER",
     "certificate_bytes": "INTEGER", "stderr": "TEXT", "model": "BLOB",
 }
 

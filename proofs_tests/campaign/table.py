@@ -25,8 +25,8 @@ def line(name, rows):
     asked = collections.Counter(row["certificate"] for row in rows if row["certificate"])
     return [name, len(rows), count[INVALID], count[CERTIFIED], count[UNDECIDED], count[WRONG],
             count[CRASH], count[KILLED], f"{100 * share:.1f} %",
-            f"{asked[VERIFIED]} of {asked.total()}", median(rows, "certificate_s"),
-            median(rows, "verify_s"),
+            f"{asked[VERIFIED]} of {asked.total()}", median(rows, "certificate_cpu_s"),
+            median(rows, "verify_cpu_s"),
             max((row["sites"] or 0 for row in valid), default=0),
             f"{statistics.median(times):.2f}", f"{max(times):.1f}",
             f"{max((row['memory'] or 0 for row in valid), default=0) / 2**20:.0f}"]
@@ -63,11 +63,12 @@ def text(rows):
 
 
 def certificates(rows):
-    """Every verified run for a page: processor seconds, most memory."""
+    """Every verified run (of which that is known) for a page: processor seconds, most memory."""
     lines = ["| model | faces | `medial --certificate` | `verify` | certificate |", "|---|---|---|---|---|"]
-    for r in sorted((r for r in rows if r["certificate"] == VERIFIED), key=lambda r: r["faces"]):
+    known = [r for r in rows if r["certificate"] == VERIFIED and r["verify_cpu_s"] is not None]
+    for r in sorted(known, key=lambda r: r["faces"]):
         name = pathlib.Path(r["family"]).stem + (f" {r['seed']}" if r["seed"] > 1 else "")
-        lines.append(f"| {name} | {r['faces']} | {r['certificate_s']:.2f} s, "
-                     f"{r['certificate_memory'] / 2**20:.0f} MiB | {r['verify_s']:.2f} s, "
+        lines.append(f"| {name} | {r['faces']} | {r['certificate_cpu_s']:.2f} s, "
+                     f"{r['certificate_memory'] / 2**20:.0f} MiB | {r['verify_cpu_s']:.2f} s, "
                      f"{r['verify_memory'] / 2**20:.0f} MiB | {r['certificate_bytes'] / 1e6:.2f} MB |")
     return "\n".join(lines)

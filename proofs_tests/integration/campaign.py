@@ -165,11 +165,14 @@ class Campaign(ToolTest):
         (models / "open.off").write_text(Mesh(cube.points, cube.faces[1:]).off())
         for name, content in [("cut.off", "OFF\n4 4 0\n0 0 0\n"), ("edge.off", "OFF\n2 1 0\n0 0 0\n"
                               "1 0 0\n2 0 1\n"), ("nan.obj", "v nan 0 0\nf 1 1 1\n"),
-                              ("points.obj", "v 1 2 3\n"), ("words.stl", "solid")]:
+                              ("points.obj", "v 1 2 3\n"), ("words.stl", "solid"),
+                              ("zeroth.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"),
+                              ("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n"),
+                              ("flat.off", "OFF\n3 1 0\n0 0\n1 0\n0 1\n3 0 1 2\n")]:
             (models / name).write_text(content)
         result = self.campaign("run", "--files", "models", "--verify", "1", "--time-limit", "5")
         self.expect(result, 0)
-        self.assertEqual(result.stderr.count("no mesh of faces"), 5, result.stderr)
+        self.assertEqual(result.stderr.count("no mesh of faces"), 8, result.stderr)
         solid = ("certified", "verified", "[1, 0, 0]")
         rows = {pathlib.Path(name).name: rest for name, *rest in
                 self.runs("family, outcome, certificate, betti_expected, seed")}
@@ -181,6 +184,18 @@ class Campaign(ToolTest):
         self.assertTrue(any(json.loads(p)["changes"] for _, p, _ in changed))
         self.assertLessEqual({outcome for _, _, outcome in changed}, {"certified", "invalid"})
         self.expect(self.campaign("replay", "1"), 0)
+        again = self.campaign("run", "--again", "invalid", "--time-limit", "6")
+        self.expect(again, 0)
+        self.assertRegex(again.stdout, r"open.off 1: invalid")
+
+    def test_names_that_there_are_not(self):
+        (self.folder / "empty").mkdir()
+        for arguments, message in ((["--files", "empty"], "no mesh files: empty"),
+                                   (["--files", "missing"], "no mesh files: missing"),
+                                   (["--families", "boxes,cubes"], "no such family: cubes")):
+            result = self.campaign("run", *arguments, "--count", "3")
+            self.expect(result, 1)
+            self.assertEqual(result.stderr, message + "\n")
 
     def test_certificates(self):
         arguments = ["--count", "2", "--families", "boxes", "--verify", "1", "--time-limit", "5"]

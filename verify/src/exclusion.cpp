@@ -92,10 +92,10 @@ bool Exclusion::nearer_at_ties(Site b, Site a, Site c, const Box3& box) const {
 Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) const {
   const Shape& shape = sites_.shape();
   View v{center_of(box), kInfinity, {}, {}, {}};
-  std::vector<double> least(against.size(), kInfinity);
-  const auto look = [&](double& least, const BallVector& from_foot) {
+  std::vector<double> square_to(against.size(), kInfinity);
+  const auto look = [&](std::size_t i, const BallVector& from_foot) {
     const double square = dot(from_foot, from_foot).mid;
-    if (square < least) least = square;
+    if (square < square_to[i]) square_to[i] = square;
     if (!(square < v.nearest)) return;
     v.nearest = square;
     v.from_foot = from_foot;
@@ -108,11 +108,11 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
     // Its foot where the centre projects into it; else that on its sides.
     if (face && covers_center) {
       const BallVector& n = unit_[shape.element(s)];
-      look(least[i], times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
+      look(i, times(n, dot(shape.from<Ball>(corner[0], v.center), n)));
     } else {
       for (std::size_t k = 0; k < corner.size(); ++k)
-        look(least[i], from_side(v.center, shape.point[corner[k]],
-                                 shape.point[corner[(k + 1) % corner.size()]]));
+        look(i, from_side(v.center, shape.point[corner[k]],
+                          shape.point[corner[(k + 1) % corner.size()]]));
     }
     if (covers_center && sites_.covers(s, box)) {
       const double square = sites_.square_of_distance(v.center, s).mid;
@@ -124,7 +124,7 @@ Exclusion::View Exclusion::view(const Box3& box, std::span<const Site> against) 
   const auto h = half_widths(box);
   const double reach = std::sqrt(v.nearest) + 2 * std::hypot(h[0], h[1], h[2]);
   for (std::size_t i = 0; i < against.size(); ++i)
-    if (!(std::sqrt(least[i]) > reach)) v.close.push_back(against[i]);
+    if (!(std::sqrt(square_to[i]) > reach)) v.close.push_back(against[i]);
   return v;
 }
 
@@ -158,6 +158,7 @@ bool Exclusion::governs_nothing(Site s, Piece& piece, std::span<const std::uint3
   if (gone(s, piece.box, piece.view)) return true;
   if (!piece.triangles) {
     piece.triangles = sites_.meeting(triangles, piece.box);
+    // Where no triangle meets the box around it, a half is on that box's side.
     piece.outside = !triangles.empty() && piece.triangles->empty() &&
                     is_inside(sites_.shape(), center_of(piece.box)) == false;
   }
@@ -179,6 +180,7 @@ bool Exclusion::outside_polar_cone(Site s, const Box3& box) const {
 std::vector<Site> Exclusion::may_govern(std::span<const Site> sites, const Box3& box,
                                         std::span<const Site> against,
                                         std::span<const std::uint32_t> triangles, int most) const {
+  if (sites.empty()) return {};
   Piece whole{box, view(box, against)};
   std::vector<Site> kept;
   std::ranges::copy_if(sites, std::back_inserter(kept), [&](Site s) {
