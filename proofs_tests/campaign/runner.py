@@ -92,38 +92,37 @@ class Runner:
                 return None
             row.update(ended)
             del row["stdout"]
-            summary = None
-            if (folder / "x.json").is_file():
-                summary = json.loads((folder / "x.json").read_text())
-                row.update(from_summary(summary))
+            summary = read_summary(folder / "x.json", row)
             row["outcome"], row["reason"] = judge(row, summary)
             if row["outcome"] == CERTIFIED and check_axis:
                 row["axis_checked"], complaint = check_radii(folder, mesh)
                 if complaint:
                     row["outcome"], row["reason"] = WRONG, "axis: " + complaint
             if row["outcome"] == CERTIFIED and verify:
-                checked = self._verify(folder, blum_seed)
+                checked = self._verify(folder, blum_seed, expected)
                 if checked is None:
                     return None
                 row.update(checked)
         return row
 
-    def _verify(self, folder, blum_seed):
-        """Of a run of its own: one that writes a certificate decides without cutting planes (`blum
-        verify` follows none), so it may need more cells, or end undecided where the first did not."""
+    def _verify(self, folder, blum_seed, expected):
+        """Of a run of its own, judged like the first: one that writes a certificate decides without
+        cutting planes (`blum verify` follows none), so it may need more cells, or end undecided where
+        the first did not."""
         made = self._call(folder, [
-            self.tool, "medial", "model.off", "-o", "y", "--certificate", "y.cert", "--threads",
-            "1", "--seed", str(blum_seed), *self.limits.arguments()])
+            self.tool, "medial", "model.off", "-o", "y", "--summary", "y.json", "--certificate",
+            "y.cert", "--threads", "1", "--seed", str(blum_seed), *self.limits.arguments()])
         if made is None:
             return None
         row = {"certificate_s": made["time_s"], "certificate_cpu_s": made["cpu_s"],
                "certificate_memory": made["memory"]}
-        if made["late"]:
-            return {**row, "outcome": KILLED, "reason": f"--certificate: {not_ended(made)}"}
-        if made["exit_code"] == 3:
-            return {**row, "certificate": INCOMPLETE, "statement": "undecided without cutting planes"}
-        if made["exit_code"] != 0:
-            return {**row, "outcome": CRASH, "reason": f"--certificate: {how(made)}"}
+        made["betti_expected"] = expected
+        outcome, reason = judge(made, read_summary(folder / "y.json", made))
+        if outcome == UNDECIDED:
+            return {**row, "certificate": INCOMPLETE,
+                    "statement": f"undecided without cutting planes: {reason}"}
+        if outcome != CERTIFIED:
+            return {**row, "outcome": outcome, "reason": f"--certificate: {reason}"}
         row["certificate_bytes"] = (folder / "y.cert").stat().st_size
         checked = self._call(folder, [self.tool, "verify", "model.off", "y.cert"])
         if checked is None:
@@ -190,6 +189,15 @@ def how(ended):
 
 def not_ended(ended):
     return f"not ended after {ended['time_s']:.0f} s"
+
+
+def read_summary(path, row):
+    """The summary that a run wrote, if any; what it says goes into the row."""
+    if not path.is_file():
+        return None
+    summary = json.loads(path.read_text())
+    row.update(from_summary(summary))
+    return summary
 
 
 def from_summary(summary):
