@@ -17,22 +17,13 @@
 #include "blum/kernel/shapes.hpp"
 #include "blum/kernel/site.hpp"
 #include "blum/medial/medial_axis.hpp"
+#include "blum/medial/summary.hpp"
 
 namespace {
 
 constexpr double kTimeLimit_s = 900;
 
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
-
-/// Largest resident memory since reset_peak(); 0 where the system does not say.
-double peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    double kib = 0;
-    if (word == "VmHWM:" && status >> kib) return kib * 1024;
-  }
-  return 0;
-}
 
 void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make,
          blum::DiagramKind kind, blum::MedialOptions options) {
@@ -68,7 +59,7 @@ void run(benchmark::State& state, const std::function<blum::PolygonMesh()>& make
     count("filter", r.stages.filter);
     count("extended", r.stages.extended);
     count("exact", r.stages.exact);
-    count("peak_bytes", peak_bytes());
+    count("peak_bytes", static_cast<double>(blum::peak_memory_bytes()));
   }
 }
 

@@ -1,10 +1,13 @@
 // `blum verify`: checks a certificate against a model, independently of what made it.
+#include <chrono>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "blum/kernel/mesh.hpp"
 #include "blum/kernel/solid.hpp"
+#include "blum/medial/summary.hpp"
 #include "blum/verify/verify.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
@@ -20,6 +23,7 @@ struct VerifyArguments {
 };
 
 int run_verify(const VerifyArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
   const Result<PolygonMesh> mesh = read_mesh(arguments.model);
   if (!mesh) return report(mesh.error());
   const Result<Solid> solid = build_solid(mesh.value());
@@ -54,7 +58,12 @@ int run_verify(const VerifyArguments& arguments) {
             << answer.parts << " parts and cuts, " << answer.exclusions << " exclusions\n"
             << "exact algebra   decided " << answer.exact_parts << " of "
             << (answer.parts + answer.faces) / 2 << " parts and " << answer.exact_segments
-            << " stretches of lines; blum medial uses it, too\n";
+            << " stretches of lines; blum medial uses it, too\n"
+            << "needed          " << std::fixed << std::setprecision(3)
+            << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
+            << " s, " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6
+            << " MB at most\n"
+            << std::defaultfloat << std::setprecision(6);
   if (answer.outcome == Outcome::kFalse) {
     std::cout << "FALSE           " << answer.statement << " (" << arguments.certificate << ":"
               << answer.line << ")\n";

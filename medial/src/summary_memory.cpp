@@ -1,13 +1,18 @@
-#include <sys/resource.h>
+#include <fstream>
+#include <string>
 
 #include "blum/medial/summary.hpp"
 
 namespace blum {
 
+// Not getrusage's ru_maxrss, which a new program takes over from the process that became it.
 std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::uint64_t kib = 0;
+    if (word == "VmHWM:" && status >> kib) return kib * 1024;
+  }
+  return 0;
 }
 
 }  // namespace blum

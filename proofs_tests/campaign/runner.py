@@ -114,10 +114,10 @@ class Runner:
             "y.cert", "--threads", "1", "--seed", str(blum_seed), *self.limits.arguments()])
         if made is None:
             return None
-        row = {"certificate_s": made["time_s"], "certificate_cpu_s": made["cpu_s"],
-               "certificate_memory": made["memory"]}
         made["betti_expected"] = expected
         outcome, reason = judge(made, read_summary(folder / "y.json", made))
+        row = {"certificate_s": made["time_s"], "certificate_cpu_s": made["cpu_s"],
+               "certificate_memory": made["memory"]}
         if outcome == UNDECIDED:
             return {**row, "certificate": INCOMPLETE,
                     "statement": f"undecided without cutting planes: {reason}"}
@@ -128,7 +128,7 @@ class Runner:
         if checked is None:
             return None
         row.update(verify_s=checked["time_s"], verify_cpu_s=checked["cpu_s"],
-                   verify_memory=checked["memory"])
+                   verify_memory=memory_of(checked))
         if checked["late"]:  # it has no limit of its own to keep
             return {**row, "certificate": INCOMPLETE, "statement": "not verified in time"}
         if checked["exit_code"] == 0:
@@ -177,7 +177,14 @@ class Runner:
                 "stderr": (folder / "stderr").read_text(errors="replace")[-2000:],
                 "stdout": (folder / "stdout").read_text(errors="replace")[-2000:],
                 "time_s": elapsed, "cpu_s": usage.ru_utime + usage.ru_stime,
+                # At most: it counts what this process held when it became the tool, too.
                 "memory": usage.ru_maxrss << 10}
+
+
+def memory_of(checked):
+    """As `blum verify` says itself, in bytes."""
+    said = re.search(r"^needed .* ([.0-9]+) MB at most$", checked["stdout"], re.MULTILINE)
+    return round(float(said.group(1)) * 1e6) if said else checked["memory"]
 
 
 def how(ended):
@@ -204,8 +211,8 @@ def from_summary(summary):
     result, stages = summary["result"], summary["stages"]
     return {"certified": result["certified"], "betti": result["betti"],
             "betti_solid": summary["solid"]["betti"], "sites": sum(summary["sites"].values()),
-            "leaves": result["leaves"], "max_depth": result["max_depth"],
-            "undecided_cells": result["undecided_cells"],
+            "memory": summary["peak_memory_bytes"], "leaves": result["leaves"],
+            "max_depth": result["max_depth"], "undecided_cells": result["undecided_cells"],
             "undecided_depth": max((c["depth"] for c in summary.get("undecided", [])), default=None),
             "stage_filter": stages["filter"], "stage_extended": stages["extended"],
             "stage_exact": stages["exact"]}

@@ -1,5 +1,8 @@
 """Certificates as a user meets them: written, summarised, verified, refused."""
 
+import json
+import re
+
 from tool import ToolTest, main
 
 
@@ -21,6 +24,18 @@ class Certificates(ToolTest):
                 summary = self.blum("certificate", "m.cert")
                 self.expect(summary, 0)
                 self.assertIn("Betti numbers", summary.stdout)
+
+    def test_memory_is_its_own(self):
+        held = bytearray(400 << 20)  # by the process that starts the tool
+        held[::4096] = b"x" * len(held[::4096])
+        self.certify(["lbracket"], "--summary", "x.json")
+        summary = json.loads((self.folder / "x.json").read_text())
+        result = self.blum("verify", "m.off", "m.cert")
+        self.expect(result, 0)
+        said = re.search(r"^needed +[.0-9]+ s, ([.0-9]+) MB at most$", result.stdout, re.MULTILINE)
+        for megabytes in (summary["peak_memory_bytes"] / 1e6, float(said.group(1))):
+            self.assertGreater(megabytes, 1)
+            self.assertLess(megabytes, len(held) / 1e6)
 
     def test_collapses_are_replayed(self):
         # The second has faces that are decided again with other candidates: their arcs come in another
