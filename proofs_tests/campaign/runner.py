@@ -121,8 +121,9 @@ class Runner:
         if outcome == UNDECIDED:
             return {**row, "certificate": INCOMPLETE,
                     "statement": f"undecided without cutting planes: {reason}"}
-        if outcome != CERTIFIED:
-            return {**row, "outcome": outcome, "reason": f"--certificate: {reason}"}
+        if outcome != CERTIFIED:  # of a model that the first run took for a solid
+            return {**row, "outcome": outcome if outcome in DEFECTS else CRASH,
+                    "reason": f"--certificate: {reason}"}
         row["certificate_bytes"] = (folder / "y.cert").stat().st_size
         checked = self._call(folder, [self.tool, "verify", "model.off", "y.cert"])
         if checked is None:

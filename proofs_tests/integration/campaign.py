@@ -34,6 +34,9 @@ if what == "hangs" or what == "certificate hangs" and asks_for_certificate:
 if what == "refuses" and sys.argv[1] == "verify":
     print("FALSE      a lie about cell 17")
     sys.exit(4)
+if what == "certificate of no solid" and asks_for_certificate:
+    print("  error: 0 self_intersection", file=sys.stderr)
+    sys.exit(2)
 if what == "certificate undecided" and asks_for_certificate:
     sys.argv += ["--max-cells", "1"]
 ended = subprocess.run([{tool!r}, *sys.argv[1:]], stdout=subprocess.DEVNULL)
@@ -226,6 +229,7 @@ class Campaign(ToolTest):
         for what, code, found in [
             ("certificate hangs", 3, ("killed", None, None)),
             ("certificate wrong", 3, ("wrong", None, None)),
+            ("certificate of no solid", 3, ("crash", None, None)),
             ("certificate undecided", 0,
              ("certified", "incomplete", "undecided without cutting planes: cells")),
         ]:
